@@ -1,0 +1,48 @@
+"""Diversity-driven selection of exploration strategies.
+
+A black box f: M -> S can be tried n times. Which inputs make it show the most different
+outputs? Several exploration strategies are treated as the arms of a bandit whose reward is the
+new volume that their effects cover (Benureau and Oudeyer, ICDL-EpiRob 2015).
+
+The names below follow the data: environment -> strategy -> effect -> gain -> bandit ->
+exploration. Figures are in `divbandit.plot`.
+"""
+
+from divbandit._core import NearestNeighbors
+from divbandit.bandits import Adapt
+from divbandit.box import Box
+from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
+from divbandit.exploration import Exploration, Explorer, explore
+from divbandit.history import History
+from divbandit.measures import Coverage, coverage
+from divbandit.strategies import (
+    Composite,
+    GoalBabbling,
+    Mixture,
+    MotorBabbling,
+    Schedule,
+    Strategy,
+    Trial,
+)
+
+__all__ = [
+    "Adapt",
+    "Box",
+    "Composite",
+    "Coverage",
+    "Environment",
+    "Exploration",
+    "Explorer",
+    "FunctionEnvironment",
+    "GoalBabbling",
+    "History",
+    "Mixture",
+    "MotorBabbling",
+    "NearestNeighbors",
+    "PlanarArm",
+    "Schedule",
+    "Strategy",
+    "Trial",
+    "coverage",
+    "explore",
+]

@@ -1,0 +1,50 @@
+"""Checks of plain arguments; those of arrays are made where the arrays are read, in Rust."""
+
+from __future__ import annotations
+
+import math
+import operator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.random import Generator, SeedSequence
+
+    Rng = Generator | SeedSequence | int | None
+
+
+def real(name: str, value: object, *, low: float = -math.inf, high: float = math.inf) -> float:
+    """Return `value` as a finite float in [low, high], or say what is wrong with it."""
+    if isinstance(value, (bool, str, bytes)) or not hasattr(value, "__float__"):
+        raise TypeError(f"{name} must be a number, got {type(value).__name__}")
+    number = float(value)
+    if not (math.isfinite(number) and low <= number <= high):
+        raise ValueError(f"{name} must be a finite number in [{low}, {high}], got {value!r}")
+    return number
+
+
+def whole(name: str, value: object, *, low: int, high: int | None = None) -> int:
+    """Return `value` as an int in [low, high], or say what is wrong with it."""
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise TypeError(f"{name} must be a whole number, got {type(value).__name__}")
+    number = operator.index(value)
+    if number < low or (high is not None and number > high):
+        bounds = f"at least {low}" if high is None else f"from {low} to {high}"
+        raise ValueError(f"{name} must be {bounds}, got {number}")
+    return number
+
+
+def generator(rng: Rng) -> Generator:
+    """Return the generator that `rng` is or seeds; a Generator itself is shared, not copied."""
+    if isinstance(rng, bool):
+        raise TypeError("rng must be None, an int, a SeedSequence or a Generator, got bool")
+    try:
+        return np.random.default_rng(rng)
+    except TypeError:
+        raise TypeError(
+            "rng must be None, an int, a SeedSequence or a Generator, "
+            f"got {type(rng).__name__}"
+        ) from None
+    except ValueError:
+        raise ValueError(f"rng must be a seed of at least 0, got {rng!r}") from None

@@ -1,0 +1,7 @@
+"""Environments: black boxes f: M -> S that turn a motor command into an effect."""
+
+from divbandit.environments.base import Environment
+from divbandit.environments.function import FunctionEnvironment
+from divbandit.environments.planar_arm import PlanarArm
+
+__all__ = ["Environment", "FunctionEnvironment", "PlanarArm"]

@@ -1,0 +1,246 @@
+"""Exploration: what came of a run, to measure, plot, save and load."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import zipfile
+import zlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from divbandit.box import Box
+from divbandit.measures import Coverage
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from divbandit.history import History
+
+_FORMAT = "divbandit exploration"
+_VERSION = 1
+
+
+@dataclass(frozen=True, eq=False)
+class Exploration:
+    """The trace of an exploration: commands, effects, who chose, what the bandit believed.
+
+    Attributes
+    ----------
+    motor_space : Box
+    sensory_space : Box or None
+    commands : numpy.ndarray of float64, shape (n, m)
+    effects : numpy.ndarray of float64, shape (n, s)
+    paths : numpy.ndarray of int64, shape (n, depth)
+        Who chose each command: indices of strategies, outermost first, -1 beyond the innermost.
+    diversities : numpy.ndarray of float64, shape (n, q), or None
+        What the bandit believed of each of its q strategies when it chose; None where the
+        strategy is no bandit.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> run = db.explore(db.PlanarArm(20), db.MotorBabbling(), n=100, rng=0)
+    >>> len(run), run.commands.shape, run.diversities
+    (100, (100, 20), None)
+    """
+
+    motor_space: Box
+    sensory_space: Box | None
+    commands: NDArray[np.float64]
+    effects: NDArray[np.float64]
+    paths: NDArray[np.int64]
+    diversities: NDArray[np.float64] | None
+
+    @classmethod
+    def from_history(
+        cls, history: History, beliefs: Sequence[tuple[float, ...] | None]
+    ) -> Exploration:
+        """Take a copy of a history and of what the bandit believed at each of its steps."""
+        depth = max((len(path) for path in history.paths), default=0)
+        paths = np.full((len(history), depth), -1, dtype=np.int64)
+        for row, path in zip(paths, history.paths, strict=True):
+            row[: len(path)] = path
+        known = [belief for belief in beliefs if belief is not None]
+        return cls(
+            history.motor_space,
+            history.sensory_space,
+            history.commands.copy(),
+            history.effects.copy(),
+            paths,
+            np.array(known) if known and len(known) == len(history) else None,
+        )
+
+    def __len__(self) -> int:
+        return len(self.effects)
+
+    @property
+    def choices(self) -> NDArray[np.int64]:
+        """Index of the top-level strategy's part that chose, shape (n,); 0 if it has no parts."""
+        if self.paths.shape[1] == 0:
+            return np.zeros(len(self), dtype=np.int64)
+        return self.paths[:, 0]
+
+    def coverage(self, tau: float) -> NDArray[np.float64]:
+        """Return the diversity after each step: the measure of the union of discs so far.
+
+        Parameters
+        ----------
+        tau : float
+            Radius of the discs, in the units of the effects; positive.
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (n,)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `tau` is not a positive number, or the effects are not in the plane.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> run = db.explore(db.PlanarArm(20), db.MotorBabbling(), n=100, rng=0)
+        >>> round(run.coverage(0.02)[0], 9)
+        0.001256637
+        """
+        gains = Coverage(tau).extend(self.effects)
+        return np.cumsum(gains)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the exploration to a file, replacing it whole or not at all.
+
+        The file is NumPy's ``npz``; nothing in it is pickled.
+
+        Parameters
+        ----------
+        path : str or path
+            Used as it is: no ending is added.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> import os, tempfile
+        >>> import divbandit as db
+        >>> run = db.explore(db.PlanarArm(20), db.MotorBabbling(), n=10, rng=0)
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     run.save(os.path.join(folder, "run.npz"))
+        ...     again = db.Exploration.load(os.path.join(folder, "run.npz"))
+        >>> (again.effects == run.effects).all()
+        np.True_
+        """
+        arrays = {
+            "format": np.array([_FORMAT, str(_VERSION)]),
+            "motor_space": np.array([self.motor_space.low, self.motor_space.high]),
+            "commands": self.commands,
+            "effects": self.effects,
+            "paths": self.paths,
+        }
+        if self.sensory_space is not None:
+            box = self.sensory_space
+            arrays["sensory_space"] = np.array([box.low, box.high])
+        if self.diversities is not None:
+            arrays["diversities"] = self.diversities
+        target = Path(path)
+        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+        try:
+            with os.fdopen(handle, "wb") as file:
+                np.savez_compressed(file, **arrays)
+            Path(temporary).replace(target)
+        except BaseException:
+            Path(temporary).unlink(missing_ok=True)
+            raise
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Exploration:
+        """Read an exploration that was saved.
+
+        Parameters
+        ----------
+        path : str or path
+
+        Raises
+        ------
+        ValueError
+            If the file is truncated or was not written by `save`.
+        OSError
+            If the file cannot be read.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.Exploration.load("missing.npz")
+        Traceback (most recent call last):
+            ...
+        FileNotFoundError: [Errno 2] No such file or directory: 'missing.npz'
+        """
+        with Path(path).open("rb") as file:
+            try:
+                with np.load(file, allow_pickle=False) as saved:
+                    return cls._from_arrays(dict(saved.items()))
+            except (
+                AttributeError,
+                EOFError,
+                KeyError,
+                TypeError,
+                ValueError,
+                zipfile.BadZipFile,
+                zlib.error,
+            ) as error:
+                raise ValueError(
+                    f"path must be a file written by Exploration.save, got {os.fspath(path)!r}: "
+                    f"{error}"
+                ) from error
+
+    @classmethod
+    def _from_arrays(cls, arrays: dict[str, NDArray[np.generic]]) -> Exploration:
+        """Rebuild from the arrays of a file, which may hold anything."""
+        name, version = (str(word) for word in arrays["format"])
+        if name != _FORMAT or int(version) != _VERSION:
+            raise ValueError(f"format must be {_FORMAT!r} {_VERSION}, got {name!r} {version}")
+        motor_space = Box(*_array(arrays, "motor_space", np.float64, (2, None)))
+        sensory_space = None
+        if "sensory_space" in arrays:
+            sensory_space = Box(*_array(arrays, "sensory_space", np.float64, (2, None)))
+        commands = _array(arrays, "commands", np.float64, (None, motor_space.dim))
+        n = len(commands)
+        width = None if sensory_space is None else sensory_space.dim
+        diversities = None
+        if "diversities" in arrays:
+            diversities = _array(arrays, "diversities", np.float64, (n, None))
+        return cls(
+            motor_space,
+            sensory_space,
+            commands,
+            _array(arrays, "effects", np.float64, (n, width)),
+            _array(arrays, "paths", np.int64, (n, None)),
+            diversities,
+        )
+
+
+def _array(
+    arrays: dict[str, NDArray[np.generic]],
+    name: str,
+    dtype: type[np.generic],
+    shape: tuple[int | None, ...],
+) -> NDArray[np.generic]:
+    """Return an array of a file if it has the type and shape (None: any) that it must have."""
+    array = arrays[name]
+    fits = array.ndim == len(shape) and all(
+        want in (None, got) for want, got in zip(shape, array.shape, strict=True)
+    )
+    if array.dtype != dtype or not fits:
+        raise ValueError(
+            f"{name} must be {dtype.__name__} of shape {shape}, got {array.dtype} {array.shape}"
+        )
+    return array

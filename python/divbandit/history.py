@@ -1,0 +1,247 @@
+"""History: the log of an exploration - commands, effects and who chose them.
+
+The log is the state. Whatever else an exploration needs (the k-d tree here, coverage and
+windows in the bandits) is derived from it and can be rebuilt by reading it again.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+import numpy as np
+
+from divbandit import _core
+from divbandit.box import Box, BoxLike
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.random import Generator
+    from numpy.typing import ArrayLike, NDArray
+
+
+class History:
+    """All that has been tried so far, and what it led to.
+
+    Parameters
+    ----------
+    motor_space : Box or object with ``low`` and ``high``
+        M, the box of all motor commands.
+    sensory_space : Box or object with ``low`` and ``high``, optional
+        A box in S from which goals make sense.
+
+    Attributes
+    ----------
+    motor_space : Box
+    sensory_space : Box or None
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a space is no box.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> history = db.History(db.Box([0], [1]), db.Box([0, 0], [1, 1]))
+    >>> history.append([0.5], [0.1, 0.2])
+    >>> len(history), history.effects
+    (1, array([[0.1, 0.2]]))
+    """
+
+    def __init__(self, motor_space: BoxLike, sensory_space: BoxLike | None = None) -> None:
+        self.motor_space = Box.of(motor_space, name="motor_space")
+        self.sensory_space = (
+            None if sensory_space is None else Box.of(sensory_space, name="sensory_space")
+        )
+        self._commands = np.empty((0, self.motor_space.dim))
+        self._effects = np.empty((0, 0 if self.sensory_space is None else self.sensory_space.dim))
+        self._paths: list[tuple[int, ...]] = []
+        self._tree: _core.NearestNeighbors | None = None
+
+    def __len__(self) -> int:
+        return len(self._paths)
+
+    @property
+    def commands(self) -> NDArray[np.float64]:
+        """The motor commands in order of observation, shape (n, m); a read-only view."""
+        return _read_only(self._commands[: len(self)])
+
+    @property
+    def effects(self) -> NDArray[np.float64]:
+        """The effects in order of observation, shape (n, s); a read-only view."""
+        return _read_only(self._effects[: len(self)])
+
+    @property
+    def paths(self) -> Sequence[tuple[int, ...]]:
+        """Who chose each command: indices of strategies, outermost first."""
+        return tuple(self._paths)
+
+    @property
+    def effect_dim(self) -> int | None:
+        """The dimension of the effects; None until there is a way to know it."""
+        if self.sensory_space is not None:
+            return self.sensory_space.dim
+        return self._effects.shape[1] if self._paths else None
+
+    def append(
+        self, command: ArrayLike, effect: ArrayLike, *, path: tuple[int, ...] = ()
+    ) -> None:
+        """Record one evaluation.
+
+        Parameters
+        ----------
+        command : array_like, shape (m,)
+        effect : array_like, shape (s,)
+        path : tuple of int
+            Who chose the command: indices of strategies, outermost first.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `command` is no point of the motor space, or `effect` is not finite or of another
+            dimension than those before; nothing is recorded then.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.5], [7.0])
+        >>> history.append([0.5], [7.0, 8.0])
+        Traceback (most recent call last):
+            ...
+        ValueError: effect must have shape (1,), got (2,)
+        """
+        self.record(
+            self.motor_space.bounds.command(command),
+            _core.as_point("effect", effect, self.effect_dim),
+            path,
+        )
+
+    def record(
+        self, command: NDArray[np.float64], effect: NDArray[np.float64], path: tuple[int, ...]
+    ) -> None:
+        """Do what `append` does with arrays that are known to be right.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.record(np.array([0.5]), np.array([7.0]), ())
+        >>> len(history)
+        1
+        """
+        n = len(self._paths)
+        if n == len(self._commands):
+            self._commands = _enlarged(self._commands, len(command))
+            self._effects = _enlarged(self._effects, len(effect))
+        self._commands[n] = command
+        self._effects[n] = effect
+        self._paths.append(path)
+
+    @overload
+    def nearest(self, goal: ArrayLike) -> tuple[float, int]: ...
+    @overload
+    def nearest(self, goal: ArrayLike, *, k: Literal[1]) -> tuple[float, int]: ...
+    @overload
+    def nearest(self, goal: ArrayLike, *, k: int) -> tuple[Any, Any]: ...
+    def nearest(self, goal: ArrayLike, *, k: int = 1) -> tuple[Any, Any]:
+        """Find the observed effects nearest to `goal`.
+
+        Parameters
+        ----------
+        goal : array_like, shape (s,)
+        k : int
+            How many effects to find.
+
+        Returns
+        -------
+        distance, index : float, int
+            If `k` is 1; of several at the same distance, the earliest.
+        distances, indices : arrays of shape (k,)
+            If `k` is more, nearest first.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If nothing was observed yet, `goal` is no finite point of the sensory space, or
+            fewer than `k` effects were observed.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.25], [7.0])
+        >>> history.append([0.75], [9.0])
+        >>> history.nearest([8.5])
+        (0.5, 1)
+        """
+        return self._observed().nearest(goal, k=k)
+
+    def inverse(self, goal: ArrayLike, rng: Generator, *, d: float = 0.05) -> NDArray[np.float64]:
+        """Inverse_d(goal): the command of the nearest effect, perturbed.
+
+        Each coordinate is uniform within the share `d` of its motor range around that command,
+        inside the motor space (Benureau and Oudeyer 2015, section III).
+
+        Parameters
+        ----------
+        goal : array_like, shape (s,)
+        rng : numpy.random.Generator
+            Advances by one ``rng.random()`` a coordinate.
+        d : float
+            Share of the motor range, in [0, 1].
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (m,)
+            Read-only.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If nothing was observed yet, `goal` is no finite point of the sensory space, or `d`
+            is not in [0, 1]; `rng` is then as it was.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.25], [7.0])
+        >>> history.inverse([8.0], np.random.default_rng(0), d=0.1)
+        array([0.27739234])
+        """
+        tree = self._observed()
+        return _core.inverse(goal, d, tree, self._commands, self.motor_space.bounds, rng)
+
+    def _observed(self) -> _core.NearestNeighbors:
+        """Return the k-d tree of all effects, brought up to date."""
+        tree = self._tree
+        if tree is None:
+            if not self._paths:
+                raise ValueError("history must not be empty: nothing was observed yet")
+            tree = self._tree = _core.NearestNeighbors(self._effects.shape[1])
+        known = len(tree)
+        missing = len(self._paths) - known
+        if missing == 1:
+            tree.add(self._effects[known])
+        elif missing > 1:
+            tree.extend(self._effects[known : known + missing])
+        return tree
+
+    def __repr__(self) -> str:
+        return f"<History of {len(self)} evaluations, {self.motor_space.dim} -> {self.effect_dim}>"
+
+
+def _enlarged(rows: NDArray[np.float64], width: int) -> NDArray[np.float64]:
+    """Return a copy of `rows` with room for twice as many."""
+    larger = np.empty((max(64, 2 * len(rows)), width))
+    larger[: len(rows)] = rows
+    return larger
+
+
+def _read_only(view: NDArray[np.float64]) -> NDArray[np.float64]:
+    view.flags.writeable = False
+    return view

@@ -1,0 +1,143 @@
+"""Strategy and Trial: what every strategy offers, and what it proposes."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.random import Generator
+    from numpy.typing import ArrayLike, NDArray
+
+    from divbandit.box import Box
+    from divbandit.history import History
+
+
+class Trial:
+    """A motor command that a strategy proposes, and why.
+
+    Parameters
+    ----------
+    command : array_like, shape (m,)
+        The motor command.
+    goal : array_like, shape (s,), optional
+        The effect that it is meant to bring about.
+
+    Attributes
+    ----------
+    command, goal
+        As given.
+    path : tuple of int
+        Who proposed it: indices of strategies, outermost first. Empty where one strategy
+        explores alone.
+    inner : Trial or None
+        For a composite strategy's trial, the very trial that its chosen part proposed.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> trial = db.Trial([0.5, 0.5], goal=[1.0])
+    >>> trial.path
+    ()
+    """
+
+    __slots__ = ("command", "goal", "inner", "path")
+
+    def __init__(self, command: ArrayLike, *, goal: ArrayLike | None = None) -> None:
+        self.command = command
+        self.goal = goal
+        self.path: tuple[int, ...] = ()
+        self.inner: Trial | None = None
+
+    @classmethod
+    def of(cls, proposal: Trial | ArrayLike) -> Trial:
+        """Return what a strategy proposed as a Trial if it is not one already.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.Trial.of([0.5]).command
+        [0.5]
+        """
+        return proposal if isinstance(proposal, Trial) else cls(proposal)
+
+    def proposed_by(self, index: int) -> Trial:
+        """Return this trial as one of a composite strategy, whose part `index` proposed it.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.Trial([0.5]).proposed_by(1).proposed_by(0).path
+        (0, 1)
+        """
+        trial = Trial(self.command, goal=self.goal)
+        trial.path = (index, *self.path)
+        trial.inner = self
+        return trial
+
+    def __repr__(self) -> str:
+        return f"Trial({self.command!r}, goal={self.goal!r}, path={self.path!r})"
+
+
+class Strategy(ABC):
+    """An exploration strategy: derive from it, write `propose`, and it can be chosen among.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import divbandit as db
+    >>> class Corners(db.Strategy):
+    ...     def propose(self, history, rng):
+    ...         space = history.motor_space
+    ...         return np.where(rng.random(space.dim) < 0.5, space.low, space.high)
+    >>> run = db.explore(db.PlanarArm(3), Corners(), n=4, rng=0)
+    >>> len(np.unique(abs(run.commands)))
+    1
+    """
+
+    @abstractmethod
+    def propose(self, history: History, rng: Generator) -> Trial | ArrayLike:
+        """Return the next motor command, or a Trial that also says its goal.
+
+        Parameters
+        ----------
+        history : History
+            All that was observed so far; empty at first.
+        rng : numpy.random.Generator
+            The only source of randomness to use.
+
+        Returns
+        -------
+        array_like, shape (m,), or Trial
+            A point of ``history.motor_space``.
+        """
+
+    def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:  # noqa: B027
+        """Learn what came of a trial of one's own; the history holds it already.
+
+        Parameters
+        ----------
+        trial : Trial
+            The very one that `propose` returned (made from its command if it returned that).
+        effect : numpy.ndarray, shape (s,)
+        """
+
+    def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:  # noqa: B027
+        """Raise a ValueError if this strategy cannot explore such an environment.
+
+        Called once before an exploration begins, so that nothing is lost half-way.
+
+        Parameters
+        ----------
+        motor_space : Box
+        effect_dim : int or None
+            Dimension of the effects; None if it is not known yet.
+        has_goals : bool
+            Whether the environment names a sensory space from which goals can be drawn.
+        """
+
+    @property
+    def diversities(self) -> tuple[float, ...] | None:
+        """What a bandit currently believes of each of its strategies; None for all others."""
+        return None

@@ -1,0 +1,115 @@
+"""Composite: a strategy that at each step lets one of several others propose."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import TYPE_CHECKING
+
+from divbandit.strategies.base import Strategy, Trial
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import numpy as np
+    from numpy.random import Generator
+    from numpy.typing import NDArray
+
+    from divbandit.box import Box
+    from divbandit.history import History
+
+
+class Composite(Strategy):
+    """A strategy made of others. Derive from it and write `choose`.
+
+    Composites nest: each part is told of the very trials that it proposed, and of no other.
+
+    Parameters
+    ----------
+    strategies : iterable of Strategy
+        At least one.
+
+    Attributes
+    ----------
+    strategies : tuple of Strategy
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one of them is no Strategy, or there is none.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> class InTurn(db.Composite):
+    ...     def choose(self, history, rng):
+    ...         return len(history) % len(self.strategies)
+    >>> turns = InTurn([db.MotorBabbling(), db.GoalBabbling(0.05)])
+    >>> db.explore(db.PlanarArm(3), turns, n=4, rng=0).choices
+    array([0, 1, 0, 1])
+    """
+
+    def __init__(self, strategies: Iterable[Strategy]) -> None:
+        if isinstance(strategies, Strategy):
+            raise TypeError("strategies must be a list of strategies, got a single one")
+        try:
+            self.strategies = tuple(strategies)
+        except TypeError:
+            raise TypeError(
+                f"strategies must be a list of strategies, got {type(strategies).__name__}"
+            ) from None
+        if not self.strategies:
+            raise ValueError("strategies must hold at least one strategy, got none")
+        for index, strategy in enumerate(self.strategies):
+            if not isinstance(strategy, Strategy):
+                raise TypeError(
+                    f"strategies[{index}] must be a Strategy, got {type(strategy).__name__}"
+                )
+
+    @abstractmethod
+    def choose(self, history: History, rng: Generator) -> int:
+        """Return the index of the strategy that is to propose next.
+
+        Parameters
+        ----------
+        history : History
+        rng : numpy.random.Generator
+        """
+
+    def propose(self, history: History, rng: Generator) -> Trial:
+        """Let the chosen strategy propose."""
+        index = self.choose(history, rng)
+        return Trial.of(self.strategies[index].propose(history, rng)).proposed_by(index)
+
+    def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:
+        """Tell the strategy that proposed the trial."""
+        if trial.inner is None:
+            raise ValueError("trial must be one that this composite strategy proposed")
+        self.strategies[trial.path[0]].observe(trial.inner, effect)
+
+    def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:
+        """Let every part check."""
+        for strategy in self.strategies:
+            strategy.check(motor_space, effect_dim, has_goals=has_goals)
+
+
+def proportionally(weights: Iterable[float], u: float) -> int:
+    """Return an index with probability proportional to its weight; uniformly if all are 0.
+
+    `u` is uniform in [0, 1). The sum runs in plain order: the built-in ``sum`` rounds
+    differently from one version of Python to another.
+    """
+    weights = list(weights)
+    total = 0.0
+    for weight in weights:
+        total += weight
+    if total <= 0.0:
+        return int(u * len(weights))
+    left = u * total
+    last = 0
+    for index, weight in enumerate(weights):
+        if left < weight:
+            return index
+        left -= weight
+        if weight > 0.0:
+            last = index
+    return last  # rounding carried u past the end

@@ -1,0 +1,189 @@
+//! Forward kinematics of a planar arm: the paper's environment (section IV).
+//!
+//! The arm has equal segments of total length 1 and its base at the origin. A command holds
+//! one angle a joint, in radians, each relative to the segment before; with all of them 0
+//! the arm lies along +x. The effect is the tip's position.
+
+use crate::error::{Error, check_finite, check_length, check_rows, place};
+use crate::trig::{MAX_ANGLE, sin_cos};
+
+/// How many angles go through the sines at once: one 512-bit or two 256-bit registers.
+const LANES: usize = 8;
+
+/// A planar arm of total length 1.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanarArm {
+    joints: usize,
+    limit: f64,
+    arch: Dispatch,
+}
+
+/// The widest vector instructions that this CPU has, found once.
+#[derive(Debug, Clone, Copy)]
+struct Dispatch(pulp::Arch);
+
+impl PartialEq for Dispatch {
+    fn eq(&self, _: &Self) -> bool {
+        true // the instruction set changes the speed, never the result
+    }
+}
+
+impl PlanarArm {
+    /// An arm of `joints` joints, each limited to [-`limit`, `limit`] radians.
+    ///
+    /// # Errors
+    /// If `joints` is 0, `limit` is not positive and finite, or a fully bent arm would turn
+    /// by more than 1e6 radians.
+    pub fn new(joints: usize, limit: f64) -> Result<Self, Error> {
+        if joints == 0 {
+            return Err(Error::Count { name: "joints", must_be: "at least 1".into(), got: joints });
+        }
+        if !(limit > 0.0 && limit.is_finite()) {
+            return Err(Error::Number {
+                name: "limit",
+                must_be: "positive and finite (radians)",
+                got: limit,
+            });
+        }
+        if joints as f64 * limit > MAX_ANGLE {
+            return Err(Error::Number {
+                name: "limit",
+                must_be: "at most 1e6 radians over all joints together",
+                got: limit,
+            });
+        }
+        Ok(Self { joints, limit, arch: Dispatch(pulp::Arch::new()) })
+    }
+
+    /// The number of joints, which is the dimension of the motor space.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.joints
+    }
+
+    /// Every joint's limit, in radians.
+    #[must_use]
+    pub fn limit(&self) -> f64 {
+        self.limit
+    }
+
+    /// The tip's position for one command.
+    ///
+    /// # Errors
+    /// If the command has not one angle a joint, or one of them is not finite or beyond the
+    /// limit.
+    pub fn effect(&self, command: &[f64]) -> Result<[f64; 2], Error> {
+        check_length("command", command, self.joints)?;
+        self.check("command", command)?;
+        Ok(self.arch.0.dispatch(|| {
+            let mut tip = Tip::default();
+            for angles in command.chunks(LANES) {
+                tip.extend(angles);
+            }
+            tip.over(self.joints)
+        }))
+    }
+
+    /// The tips' positions for many commands, row by row: `effects` gets x and y of each.
+    ///
+    /// Works on eight samples side by side; a sample's additions keep the order they have
+    /// in [`effect`](Self::effect), so both give the same bits.
+    ///
+    /// # Errors
+    /// As [`effect`](Self::effect), or if `effects` has not two numbers for each command.
+    pub fn effects(&self, commands: &[f64], effects: &mut [f64]) -> Result<(), Error> {
+        check_rows("commands", commands, self.joints)?;
+        check_length("effects", effects, commands.len() / self.joints * 2)?;
+        self.check("commands", commands)?;
+        self.arch.0.dispatch(|| self.effects_of_checked(commands, effects));
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn effects_of_checked(&self, commands: &[f64], effects: &mut [f64]) {
+        let joints = self.joints;
+        for (rows, tips) in commands.chunks(LANES * joints).zip(effects.chunks_mut(LANES * 2)) {
+            let samples = tips.len() / 2;
+            let (mut angle, mut x, mut y) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+            for joint in 0..joints {
+                for sample in 0..samples {
+                    angle[sample] += rows[sample * joints + joint];
+                }
+                let (sines, cosines) = sin_cos(angle);
+                for lane in 0..LANES {
+                    x[lane] += cosines[lane];
+                    y[lane] += sines[lane];
+                }
+            }
+            for sample in 0..samples {
+                tips[2 * sample] = x[sample] / joints as f64;
+                tips[2 * sample + 1] = y[sample] / joints as f64;
+            }
+        }
+    }
+
+    /// The positions of the base, of each joint's far end and, last, of the tip.
+    ///
+    /// # Errors
+    /// As [`effect`](Self::effect).
+    pub fn posture(&self, command: &[f64]) -> Result<Vec<[f64; 2]>, Error> {
+        check_length("command", command, self.joints)?;
+        self.check("command", command)?;
+        let mut tip = Tip::default();
+        let mut points = vec![[0.0, 0.0]];
+        for angle in command {
+            tip.extend(std::slice::from_ref(angle));
+            points.push(tip.over(self.joints));
+        }
+        Ok(points)
+    }
+
+    /// Checks every angle against the limit; a NaN fails it as well.
+    fn check(&self, name: &'static str, angles: &[f64]) -> Result<(), Error> {
+        // One pass without an early exit is vector code; the exact culprit is looked for
+        // only when there is one.
+        let within = angles.iter().fold(true, |all, angle| all & (angle.abs() <= self.limit));
+        if within {
+            return Ok(());
+        }
+        check_finite(name, angles, self.joints)?;
+        let index = angles.iter().position(|angle| angle.abs() > self.limit).unwrap_or(0);
+        Err(Error::Element {
+            name,
+            at: place(index, self.joints, angles.len()),
+            must_be: format!("within the joint's limit of +-{:?} radians", self.limit),
+            got: angles[index],
+        })
+    }
+}
+
+/// The tip of the segments laid so far, in units of a segment.
+#[derive(Default)]
+struct Tip {
+    angle: f64,
+    x: f64,
+    y: f64,
+}
+
+impl Tip {
+    /// Lays up to `LANES` further segments.
+    #[inline(always)]
+    fn extend(&mut self, angles: &[f64]) {
+        let mut total = [0.0; LANES];
+        for (total, angle) in total.iter_mut().zip(angles) {
+            self.angle += angle;
+            *total = self.angle;
+        }
+        let (sines, cosines) = sin_cos(total);
+        for lane in 0..angles.len().min(LANES) {
+            self.x += cosines[lane];
+            self.y += sines[lane];
+        }
+    }
+
+    /// The position for segments of length 1 / `joints`.
+    #[inline(always)]
+    fn over(&self, joints: usize) -> [f64; 2] {
+        [self.x / joints as f64, self.y / joints as f64]
+    }
+}

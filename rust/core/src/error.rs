@@ -1,0 +1,120 @@
+//! What can be wrong with an argument, with the values needed to say so.
+
+use std::fmt;
+
+/// An argument that a kernel cannot work with. Nothing has changed when one is returned.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Error {
+    /// A number outside of what it must be.
+    Number {
+        /// The argument's name.
+        name: &'static str,
+        /// What it must be, after "must be".
+        must_be: &'static str,
+        /// What it was.
+        got: f64,
+    },
+    /// A count outside of what it must be.
+    Count {
+        /// The argument's name.
+        name: &'static str,
+        /// What it must be, after "must be".
+        must_be: String,
+        /// What it was.
+        got: usize,
+    },
+    /// An element of an array outside of what it must be.
+    Element {
+        /// The argument's name.
+        name: &'static str,
+        /// Where: `[3]` or `[7, 3]`.
+        at: String,
+        /// What it must be, after "must be".
+        must_be: String,
+        /// What it was.
+        got: f64,
+    },
+    /// An array of the wrong length.
+    Length {
+        /// The argument's name.
+        name: &'static str,
+        /// The length that it must have.
+        must_be: usize,
+        /// The length that it had.
+        got: usize,
+    },
+    /// Something was asked of an empty collection.
+    Empty {
+        /// What was empty.
+        name: &'static str,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Number { name, must_be, got } => {
+                write!(f, "{name} must be {must_be}, got {got:?}")
+            }
+            Error::Count { name, must_be, got } => write!(f, "{name} must be {must_be}, got {got}"),
+            Error::Element { name, at, must_be, got } => {
+                write!(f, "{name}{at} must be {must_be}, got {got:?}")
+            }
+            Error::Length { name, must_be, got } => {
+                write!(f, "{name} must have length {must_be}, got {got}")
+            }
+            Error::Empty { name } => write!(f, "{name} must not be empty"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Checks that `values`, rows of length `row` (a single row: `values.len() == row`), are finite.
+///
+/// # Errors
+/// [`Error::Element`] at the first that is not.
+pub fn check_finite(name: &'static str, values: &[f64], row: usize) -> Result<(), Error> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(Error::Element {
+            name,
+            at: place(index, row, values.len()),
+            must_be: "finite".to_owned(),
+            got: values[index],
+        }),
+    }
+}
+
+/// Checks that `values` has the length that it must have.
+///
+/// # Errors
+/// [`Error::Length`] if it has another.
+pub fn check_length(name: &'static str, values: &[f64], must_be: usize) -> Result<(), Error> {
+    if values.len() == must_be {
+        Ok(())
+    } else {
+        Err(Error::Length { name, must_be, got: values.len() })
+    }
+}
+
+/// Checks that a flat array holds whole rows of length `row`.
+///
+/// # Errors
+/// [`Error::Count`] if a row is cut short.
+pub fn check_rows(name: &'static str, values: &[f64], row: usize) -> Result<(), Error> {
+    if values.len().is_multiple_of(row) {
+        Ok(())
+    } else {
+        Err(Error::Count {
+            name,
+            must_be: format!("whole rows of {row} numbers"),
+            got: values.len(),
+        })
+    }
+}
+
+/// Where in an array of rows the flat `index` stands; in a single row, `[index]` alone.
+pub(crate) fn place(index: usize, row: usize, len: usize) -> String {
+    if len == row { format!("[{index}]") } else { format!("[{}, {}]", index / row, index % row) }
+}

@@ -1,0 +1,42 @@
+//! The kernels of divbandit, without Python and without unsafe code.
+//!
+//! They follow the way data flows through an exploration (Benureau and Oudeyer,
+//! ICDL-EpiRob 2015):
+//!
+//! 1. [`PlanarArm`] turns a motor command into an effect;
+//! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
+//! 3. [`inverse()`](inverse()) turns that goal into the next motor command, inside its [`Bounds`];
+//! 4. [`Coverage`] says how much new area an effect has covered: its gain.
+//!
+//! Everything that decides a trajectory is made of additions, multiplications,
+//! divisions and square roots in a fixed order, so that a seed gives the same bits
+//! on any machine: no fused multiply-adds, no platform sines.
+//!
+//! ```
+//! use divbandit_core::{Coverage, PlanarArm};
+//!
+//! let arm = PlanarArm::new(20, 2.6).unwrap();
+//! let mut coverage = Coverage::new(0.02).unwrap();
+//! let effect = arm.effect(&[0.1; 20]).unwrap();
+//! assert!(coverage.add(effect).unwrap() > 0.0);
+//! assert_eq!(coverage.add(effect).unwrap(), 0.0);
+//! ```
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+pub mod arm;
+pub mod bounds;
+pub mod coverage;
+pub mod error;
+pub mod inverse;
+pub mod kdtree;
+
+pub mod trig;
+
+pub use arm::PlanarArm;
+pub use bounds::{Bounds, UniformStream};
+pub use coverage::Coverage;
+pub use error::Error;
+pub use inverse::inverse;
+pub use kdtree::NearestNeighbors;

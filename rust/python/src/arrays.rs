@@ -1,0 +1,198 @@
+//! What comes in from Python as an array or a number, checked in one place.
+//!
+//! A C-contiguous float64 array is borrowed; anything else that NumPy can read as real
+//! numbers is converted. Booleans, strings, complex numbers and objects are refused.
+
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
+use pyo3::intern;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyInt};
+
+/// A borrowed, C-contiguous array of float64.
+pub(crate) struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
+
+impl<'py> Floats<'py> {
+    /// Reads `value`, of any shape.
+    fn read(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Self> {
+        if let Ok(array) = value.cast::<PyArrayDyn<f64>>()
+            && array.is_c_contiguous()
+        {
+            return borrow(name, array);
+        }
+        let numpy = value.py().import(intern!(value.py(), "numpy"))?;
+        let array = numpy.call_method1(intern!(value.py(), "asarray"), (value,)).map_err(|_| {
+            PyTypeError::new_err(format!(
+                "{name} must be an array of real numbers, got {}",
+                kind(value)
+            ))
+        })?;
+        let dtype = array.getattr(intern!(value.py(), "dtype"))?;
+        let dtype_kind: String = dtype.getattr(intern!(value.py(), "kind"))?.extract()?;
+        if !matches!(dtype_kind.as_str(), "f" | "i" | "u") {
+            return Err(PyTypeError::new_err(format!(
+                "{name} must be an array of real numbers, got {} of dtype {dtype}",
+                kind(value)
+            )));
+        }
+        let options = PyDict::new(value.py());
+        options.set_item("dtype", "float64")?;
+        let array = numpy.call_method("ascontiguousarray", (array,), Some(&options))?;
+        match array.cast::<PyArrayDyn<f64>>() {
+            Ok(array) => borrow(name, array),
+            Err(_) => Err(PyTypeError::new_err(format!("{name} must be an array of real numbers"))),
+        }
+    }
+
+    /// Reads one point: shape (`length`,), or of any length if `length` is None.
+    pub fn point(name: &str, value: &Bound<'py, PyAny>, length: Option<usize>) -> PyResult<Self> {
+        let floats = Self::read(name, value)?;
+        match (floats.0.shape(), length) {
+            ([_], None) => Ok(floats),
+            ([got], Some(length)) if *got == length => Ok(floats),
+            (shape, _) => Err(wrong_shape(name, &point_shape(length), shape)),
+        }
+    }
+
+    /// Reads many points: shape (n, `length`).
+    pub fn points(name: &str, value: &Bound<'py, PyAny>, length: usize) -> PyResult<Self> {
+        let floats = Self::read(name, value)?;
+        match floats.0.shape() {
+            [_, got] if *got == length => Ok(floats),
+            shape => Err(wrong_shape(name, &format!("(n, {length})"), shape)),
+        }
+    }
+
+    /// Reads one point or many: shape (`length`,) or (n, `length`).
+    pub fn either(name: &str, value: &Bound<'py, PyAny>, length: usize) -> PyResult<Self> {
+        let floats = Self::read(name, value)?;
+        match floats.0.shape() {
+            [got] | [_, got] if *got == length => Ok(floats),
+            shape => Err(wrong_shape(name, &format!("({length},) or (n, {length})"), shape)),
+        }
+    }
+
+    /// Whether these are many points rather than one.
+    pub fn is_batch(&self) -> bool {
+        self.0.shape().len() == 2
+    }
+
+    /// All numbers, row by row.
+    pub fn slice(&self) -> PyResult<&[f64]> {
+        Ok(self.0.as_slice()?)
+    }
+}
+
+fn borrow<'py>(name: &str, array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Floats<'py>> {
+    match array.try_readonly() {
+        Ok(array) => Ok(Floats(array)),
+        Err(error) => Err(PyValueError::new_err(format!("{name} is in use elsewhere: {error}"))),
+    }
+}
+
+fn point_shape(length: Option<usize>) -> String {
+    match length {
+        Some(length) => format!("({length},)"),
+        None => "(dimension,)".to_owned(),
+    }
+}
+
+fn wrong_shape(name: &str, must_be: &str, got: &[usize]) -> PyErr {
+    let got = match got {
+        [one] => format!("({one},)"),
+        _ => format!("({})", got.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
+    };
+    PyValueError::new_err(format!("{name} must have shape {must_be}, got {got}"))
+}
+
+/// The name of a value's type, for a message.
+fn kind(value: &Bound<'_, PyAny>) -> String {
+    value.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string())
+}
+
+/// Reads a real number that is not a boolean.
+pub(crate) fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+    if value.is_instance_of::<PyBool>() {
+        return Err(PyTypeError::new_err(format!("{name} must be a number, got bool")));
+    }
+    value.extract::<f64>().map_err(|error| {
+        if error.is_instance_of::<PyOverflowError>(value.py()) {
+            PyValueError::new_err(format!("{name} must be a finite number, got one too large"))
+        } else {
+            PyTypeError::new_err(format!("{name} must be a number, got {}", kind(value)))
+        }
+    })
+}
+
+/// Reads a count: a whole number from 0 on.
+pub(crate) fn count(name: &str, value: &Bound<'_, PyAny>) -> PyResult<usize> {
+    let index = value.call_method0(intern!(value.py(), "__index__"));
+    match index {
+        Ok(whole) if !value.is_instance_of::<PyBool>() && whole.is_instance_of::<PyInt>() => {
+            whole.extract::<usize>().map_err(|_| {
+                PyValueError::new_err(format!(
+                    "{name} must be at least 0 and fit a machine word, got {whole}"
+                ))
+            })
+        }
+        _ => {
+            Err(PyTypeError::new_err(format!("{name} must be a whole number, got {}", kind(value))))
+        }
+    }
+}
+
+/// A new array that cannot be written to.
+pub(crate) fn read_only<'py>(
+    py: Python<'py>,
+    values: &[f64],
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let array = PyArray1::from_slice(py, values);
+    array.try_readwrite()?.make_nonwriteable();
+    Ok(array)
+}
+
+/// A read-only copy of `value` as a finite point in R^length (any length if None).
+///
+/// Parameters
+/// ----------
+/// name : str
+///     What an error calls it.
+/// value : array_like, shape (length,)
+/// length : int, optional
+///
+/// Returns
+/// -------
+/// numpy.ndarray of float64, shape (length,)
+///
+/// Raises
+/// ------
+/// TypeError
+///     If it does not hold real numbers.
+/// ValueError
+///     If it has another shape, is empty, or is not finite.
+///
+/// Examples
+/// --------
+/// >>> from divbandit._core import as_point
+/// >>> as_point("effect", [1, 2], 2)
+/// array([1., 2.])
+#[pyfunction]
+#[pyo3(signature = (name, value, length=None))]
+pub(crate) fn as_point<'py>(
+    name: &str,
+    value: &Bound<'py, PyAny>,
+    length: Option<usize>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let floats = Floats::point(name, value, length)?;
+    let values = floats.slice()?;
+    if values.is_empty() {
+        return Err(PyValueError::new_err(format!("{name} must not be empty")));
+    }
+    if let Some(index) = values.iter().position(|x| !x.is_finite()) {
+        return Err(PyValueError::new_err(format!(
+            "{name}[{index}] must be finite, got {:?}",
+            values[index]
+        )));
+    }
+    read_only(value.py(), values)
+}

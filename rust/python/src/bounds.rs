@@ -1,0 +1,72 @@
+//! Binding of boxes and of the draws made in them.
+
+use divbandit_core::Bounds;
+use numpy::PyArray1;
+use pyo3::prelude::*;
+
+use crate::arrays::{Floats, number, read_only};
+use crate::errors::value_error;
+use crate::random::NumpyStream;
+
+/// The corners of a box, checked once so that draws need not check them again.
+///
+/// Examples
+/// --------
+/// >>> import numpy as np
+/// >>> from divbandit._core import Bounds
+/// >>> Bounds([0, 0], [1, 10]).sample(np.random.default_rng(0))
+/// array([0.63696169, 2.69786714])
+#[pyclass(module = "divbandit._core", name = "Bounds", frozen)]
+pub(crate) struct PyBounds(pub Bounds);
+
+#[pymethods]
+impl PyBounds {
+    #[new]
+    fn new(low: &Bound<'_, PyAny>, high: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let low = Floats::point("low", low, None)?.slice()?.to_vec();
+        let high = Floats::point("high", high, Some(low.len()))?.slice()?.to_vec();
+        Bounds::new(low, high).map(Self).map_err(value_error)
+    }
+
+    /// The lowest corner, read-only.
+    #[getter]
+    fn low<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        read_only(py, self.0.low())
+    }
+
+    /// The highest corner, read-only.
+    #[getter]
+    fn high<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        read_only(py, self.0.high())
+    }
+
+    /// A point uniform in the box: one draw of `rng` a coordinate, in order.
+    fn sample<'py>(&self, rng: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let point = self.0.sample(&mut NumpyStream::lock(rng)?);
+        read_only(rng.py(), &point)
+    }
+
+    /// Perturb_d: `parent` moved by at most the share `d` of each range, inside the box.
+    fn perturb<'py>(
+        &self,
+        parent: &Bound<'py, PyAny>,
+        d: &Bound<'py, PyAny>,
+        rng: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let parent = Floats::point("parent", parent, Some(self.0.dim()))?;
+        let d = number("d", d)?;
+        let command = self
+            .0
+            .perturb(parent.slice()?, d, &mut NumpyStream::lock(rng)?)
+            .map_err(value_error)?;
+        read_only(rng.py(), &command)
+    }
+
+    /// A read-only copy of `command`, which must lie in the box.
+    fn command<'py>(&self, command: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let floats = Floats::point("command", command, Some(self.0.dim()))?;
+        let values = floats.slice()?;
+        self.0.check("command", values).map_err(value_error)?;
+        read_only(command.py(), values)
+    }
+}

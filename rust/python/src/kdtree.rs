@@ -1,0 +1,161 @@
+//! Binding of the k-d tree.
+
+use divbandit_core::NearestNeighbors;
+use numpy::IntoPyArray;
+use pyo3::prelude::*;
+
+use crate::arrays::{Floats, count};
+use crate::errors::value_error;
+
+/// Points in R^dim, searched exactly for the nearest: a k-d tree that grows.
+///
+/// Points can be added at any time. Duplicates, sorted, collinear and clustered points are
+/// no slower than others. Among points at the same (computed) distance the earliest is nearest.
+///
+/// Parameters
+/// ----------
+/// dim : int
+///     Dimension of the points, at least 1.
+///
+/// Raises
+/// ------
+/// TypeError, ValueError
+///     If `dim` is not a whole number, or less than 1.
+///
+/// Examples
+/// --------
+/// >>> import divbandit as db
+/// >>> tree = db.NearestNeighbors(2)
+/// >>> tree.extend([[0, 0], [1, 0], [1, 1]])
+/// >>> tree.nearest([0.9, 0.8])
+/// (0.22360679774997896, 2)
+/// >>> len(tree)
+/// 3
+#[pyclass(module = "divbandit", name = "NearestNeighbors")]
+#[derive(Clone)]
+pub(crate) struct PyNearestNeighbors(pub NearestNeighbors);
+
+#[pymethods]
+impl PyNearestNeighbors {
+    #[new]
+    fn new(dim: &Bound<'_, PyAny>) -> PyResult<Self> {
+        NearestNeighbors::new(count("dim", dim)?).map(Self).map_err(value_error)
+    }
+
+    /// Dimension of the points.
+    #[getter]
+    fn dim(&self) -> usize {
+        self.0.dim()
+    }
+
+    /// Add a point; its index is the number of points before it.
+    ///
+    /// Parameters
+    /// ----------
+    /// point : array_like, shape (dim,)
+    ///
+    /// Raises
+    /// ------
+    /// TypeError, ValueError
+    ///     If it is no finite point of this dimension; nothing is added then.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import divbandit as db
+    /// >>> tree = db.NearestNeighbors(1)
+    /// >>> tree.add([0.5])
+    /// >>> tree.nearest([0.25])
+    /// (0.25, 0)
+    fn add(&mut self, point: &Bound<'_, PyAny>) -> PyResult<()> {
+        let point = Floats::point("point", point, Some(self.0.dim()))?;
+        self.0.add(point.slice()?).map_err(value_error)
+    }
+
+    /// Add points in order; none of them if one cannot be added.
+    ///
+    /// Parameters
+    /// ----------
+    /// points : array_like, shape (n, dim)
+    ///
+    /// Raises
+    /// ------
+    /// TypeError, ValueError
+    ///     If one is no finite point of this dimension; nothing is added then.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import divbandit as db
+    /// >>> tree = db.NearestNeighbors(3)
+    /// >>> tree.extend([[0, 0, 0], [0, 0, 1]])
+    /// >>> len(tree)
+    /// 2
+    fn extend(&mut self, py: Python<'_>, points: &Bound<'_, PyAny>) -> PyResult<()> {
+        let points = Floats::points("points", points, self.0.dim())?;
+        let points = points.slice()?;
+        py.detach(|| self.0.extend(points)).map_err(value_error)
+    }
+
+    /// The nearest points to `query`.
+    ///
+    /// Parameters
+    /// ----------
+    /// query : array_like, shape (dim,)
+    /// k : int
+    ///     How many points to find.
+    ///
+    /// Returns
+    /// -------
+    /// distance, index : float, int
+    ///     If `k` is 1: the nearest point's Euclidean distance and index.
+    /// distances, indices : arrays of shape (k,)
+    ///     If `k` is more: nearest first and, at the same distance, earliest first.
+    ///
+    /// Raises
+    /// ------
+    /// TypeError, ValueError
+    ///     If `query` is no finite point of this dimension, there are no points, or `k` is not
+    ///     from 1 to their number.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import divbandit as db
+    /// >>> tree = db.NearestNeighbors(1)
+    /// >>> tree.extend([[0], [3], [4]])
+    /// >>> tree.nearest([1], k=2)
+    /// (array([1., 2.]), array([0, 1]))
+    #[pyo3(signature = (query, *, k=None))]
+    fn nearest<'py>(
+        &self,
+        py: Python<'py>,
+        query: &Bound<'py, PyAny>,
+        k: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let query = Floats::point("query", query, Some(self.0.dim()))?;
+        let k = k.map_or(Ok(1), |k| count("k", k))?;
+        if k == 1 {
+            let found = self.0.nearest(query.slice()?).map_err(value_error)?;
+            return Ok(found.into_pyobject(py)?.into_any());
+        }
+        let found = self.0.nearest_k(query.slice()?, k).map_err(value_error)?;
+        let distances: Vec<f64> = found.iter().map(|&(distance, _)| distance).collect();
+        let indices: Vec<i64> = found.iter().map(|&(_, index)| index as i64).collect();
+        let found = (distances.into_pyarray(py), indices.into_pyarray(py));
+        Ok(found.into_pyobject(py)?.into_any())
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
+    }
+
+    fn __copy__(&self) -> Self {
+        self.clone()
+    }
+
+    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+        self.clone()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<NearestNeighbors of {} points in R^{}>", self.0.len(), self.0.dim())
+    }
+}

@@ -1,0 +1,31 @@
+//! Python bindings of the divbandit kernels: the compiled module `divbandit._core`.
+//!
+//! One file beside each kernel; `arrays` holds every check of what comes in as an array or a
+//! number, `errors` the way from a kernel's error to a Python exception, and `random` the one
+//! use of unsafe code, drawing from NumPy's generators.
+
+#![deny(unsafe_code)]
+
+mod arm;
+mod arrays;
+mod bounds;
+mod coverage;
+mod errors;
+mod inverse;
+mod kdtree;
+mod random;
+
+use pyo3::prelude::*;
+
+/// The compiled kernels of divbandit; `import divbandit` brings all that is public.
+#[pymodule]
+fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<arm::PyPlanarArm>()?;
+    module.add_class::<bounds::PyBounds>()?;
+    module.add_class::<coverage::PyCoverage>()?;
+    module.add_class::<kdtree::PyNearestNeighbors>()?;
+    module.add_function(wrap_pyfunction!(coverage::coverage, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::inverse, module)?)?;
+    module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;
+    Ok(())
+}

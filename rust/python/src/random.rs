@@ -1,0 +1,71 @@
+//! Drawing from the caller's `numpy.random.Generator`, through its bit generator's C interface.
+//!
+//! A bit generator offers a capsule with a `bitgen_t`: its state and the functions that advance
+//! it. `next_double` is what `Generator.random()` calls, so a draw here and a draw there advance
+//! one and the same stream. This is the only file of the project with unsafe code; each use says
+//! why it is sound.
+
+#![allow(unsafe_code)]
+
+use std::ptr::NonNull;
+
+use divbandit_core::UniformStream;
+use numpy::npyffi::random::bitgen_t;
+use pyo3::exceptions::PyTypeError;
+use pyo3::intern;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyCapsule, PyType};
+
+/// The caller's stream of uniform numbers, locked for as long as this lives.
+pub(crate) struct NumpyStream<'py> {
+    bitgen: NonNull<bitgen_t>,
+    lock: Bound<'py, PyAny>,
+    /// Owns the memory behind `bitgen`.
+    _capsule: Bound<'py, PyCapsule>,
+    /// Owns the state that `bitgen` points to.
+    _bit_generator: Bound<'py, PyAny>,
+}
+
+impl<'py> NumpyStream<'py> {
+    /// Locks the stream of `rng`, a `numpy.random.Generator`.
+    pub fn lock(rng: &Bound<'py, PyAny>) -> PyResult<Self> {
+        static GENERATOR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+        let py = rng.py();
+        if !rng.is_instance(GENERATOR.import(py, "numpy.random", "Generator")?)? {
+            let got = rng.get_type();
+            return Err(PyTypeError::new_err(format!(
+                "rng must be a numpy.random.Generator, got {}",
+                got.name()?
+            )));
+        }
+        let bit_generator = rng.getattr(intern!(py, "bit_generator"))?;
+        let capsule = bit_generator.getattr(intern!(py, "capsule"))?.cast_into::<PyCapsule>()?;
+        let bitgen = capsule.pointer_checked(Some(c"BitGenerator"))?.cast::<bitgen_t>();
+        let lock = bit_generator.getattr(intern!(py, "lock"))?;
+        lock.call_method0(intern!(py, "acquire"))?;
+        Ok(Self { bitgen, lock, _capsule: capsule, _bit_generator: bit_generator })
+    }
+}
+
+impl UniformStream for NumpyStream<'_> {
+    #[inline]
+    fn next(&mut self) -> f64 {
+        // SAFETY: NumPy names a capsule "BitGenerator" only if it holds a `bitgen_t`, whose
+        // layout is part of its C interface. The capsule and the bit generator are kept alive
+        // by `self`, so the pointer and the state behind it are valid; the bit generator's lock
+        // is held, so nobody else advances the state meanwhile.
+        unsafe {
+            let bitgen = self.bitgen.as_ref();
+            (bitgen.next_double)(bitgen.state)
+        }
+    }
+}
+
+impl Drop for NumpyStream<'_> {
+    fn drop(&mut self) {
+        if let Err(error) = self.lock.call_method0(intern!(self.lock.py(), "release")) {
+            error.write_unraisable(self.lock.py(), Some(&self.lock));
+        }
+    }
+}

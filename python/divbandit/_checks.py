@@ -43,8 +43,7 @@ def generator(rng: Rng) -> Generator:
         return np.random.default_rng(rng)
     except TypeError:
         raise TypeError(
-            "rng must be None, an int, a SeedSequence or a Generator, "
-            f"got {type(rng).__name__}"
+            f"rng must be None, an int, a SeedSequence or a Generator, got {type(rng).__name__}"
         ) from None
     except ValueError:
         raise ValueError(f"rng must be a seed of at least 0, got {rng!r}") from None

@@ -1,4 +1,4 @@
-"""The compiled kernels; `import divbandit` brings all that is public."""
+# The compiled kernels; `import divbandit` brings all that is public.
 
 from typing import Any, Literal, overload
 
@@ -6,6 +6,16 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Self, final
+
+__all__ = [
+    "Bounds",
+    "Coverage",
+    "NearestNeighbors",
+    "PlanarArm",
+    "as_point",
+    "coverage",
+    "inverse",
+]
 
 @final
 class PlanarArm:

@@ -84,9 +84,7 @@ class History:
             return self.sensory_space.dim
         return self._effects.shape[1] if self._paths else None
 
-    def append(
-        self, command: ArrayLike, effect: ArrayLike, *, path: tuple[int, ...] = ()
-    ) -> None:
+    def append(self, command: ArrayLike, effect: ArrayLike, *, path: tuple[int, ...] = ()) -> None:
         """Record one evaluation.
 
         Parameters

@@ -80,8 +80,7 @@ class Adapt(Composite):
         ball = math.pi * self.tau * self.tau
         self._coverage = Coverage(self.tau)
         self._windows = [
-            GainWindow(self.window, head_start=ball, count=self.head_start)
-            for _ in self.strategies
+            GainWindow(self.window, head_start=ball, count=self.head_start) for _ in self.strategies
         ]
         self._diversities = [window.mean() for window in self._windows]
 

@@ -53,9 +53,7 @@ def explore(
             "environment must be callable and have motor_space and sensory_space, "
             f"got {type(environment).__name__}"
         )
-    explorer = Explorer(
-        strategy, environment.motor_space, environment.sensory_space, rng=rng
-    )
+    explorer = Explorer(strategy, environment.motor_space, environment.sensory_space, rng=rng)
     for _ in range(whole("n", n, low=1)):
         trial = explorer.ask()
         explorer.tell(trial, environment(trial.command))

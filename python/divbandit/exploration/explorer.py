@@ -12,10 +12,14 @@ from divbandit.history import History
 from divbandit.strategies.base import Strategy, Trial
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
 
     from divbandit._checks import Rng
     from divbandit.box import BoxLike
+
+    #: A trial asked for and not yet told, its command, and what the bandit believed then.
+    _Open = tuple[Trial, NDArray[np.float64], tuple[float, ...] | None]
 
 
 class Explorer:
@@ -70,8 +74,8 @@ class Explorer:
         self._strategy = copy.deepcopy(strategy)
         self._rng = generator(rng)
         self._bounds = space.bounds
-        # Trials asked for and not yet told, by identity, with what the bandit believed.
-        self._open: dict[int, tuple[Trial, tuple[float, ...] | None]] = {}
+        # By the trial's identity, which is its own while it is held here.
+        self._open: dict[int, _Open] = {}
         self._beliefs: list[tuple[float, ...] | None] = []
 
     def ask(self) -> Trial:
@@ -101,7 +105,7 @@ class Explorer:
         if id(trial) in self._open:
             raise ValueError("trial must be a new one: the strategy proposed the same object twice")
         trial.command = command
-        self._open[id(trial)] = (trial, self._strategy.diversities)
+        self._open[id(trial)] = (trial, command, self._strategy.diversities)
         return trial
 
     def tell(self, trial: Trial, effect: ArrayLike) -> None:
@@ -132,18 +136,17 @@ class Explorer:
         """
         if not isinstance(trial, Trial):
             raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
-        known, beliefs = self._open.get(id(trial), (None, None))
-        if known is not trial:
+        if id(trial) not in self._open:
             raise ValueError(
                 "trial must be one that this explorer asked for and was not told of yet"
             )
+        _, command, beliefs = self._open[id(trial)]
         history = self.history
         point = as_point("effect", effect, history.effect_dim)
         if len(history) == 0 and history.sensory_space is None:
             # The first effect tells the dimension.
-            has_goals = False
-            self._strategy.check(history.motor_space, len(point), has_goals=has_goals)
-        history.record(trial.command, point, trial.path)
+            self._strategy.check(history.motor_space, len(point), has_goals=False)
+        history.record(command, point, trial.path)
         del self._open[id(trial)]
         self._beliefs.append(beliefs)
         self._strategy.observe(trial, point)

@@ -8,7 +8,7 @@ import zipfile
 import zlib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -139,7 +139,7 @@ class Exploration:
         >>> (again.effects == run.effects).all()
         np.True_
         """
-        arrays = {
+        arrays: dict[str, NDArray[Any]] = {
             "format": np.array([_FORMAT, str(_VERSION)]),
             "motor_space": np.array([self.motor_space.low, self.motor_space.high]),
             "commands": self.commands,
@@ -155,7 +155,7 @@ class Exploration:
         handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
         try:
             with os.fdopen(handle, "wb") as file:
-                np.savez_compressed(file, **arrays)
+                np.savez_compressed(file, **cast("Any", arrays))
             Path(temporary).replace(target)
         except BaseException:
             Path(temporary).unlink(missing_ok=True)
@@ -203,7 +203,7 @@ class Exploration:
                 ) from error
 
     @classmethod
-    def _from_arrays(cls, arrays: dict[str, NDArray[np.generic]]) -> Exploration:
+    def _from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Exploration:
         """Rebuild from the arrays of a file, which may hold anything."""
         name, version = (str(word) for word in arrays["format"])
         if name != _FORMAT or int(version) != _VERSION:
@@ -229,11 +229,11 @@ class Exploration:
 
 
 def _array(
-    arrays: dict[str, NDArray[np.generic]],
+    arrays: dict[str, NDArray[Any]],
     name: str,
     dtype: type[np.generic],
     shape: tuple[int | None, ...],
-) -> NDArray[np.generic]:
+) -> NDArray[Any]:
     """Return an array of a file if it has the type and shape (None: any) that it must have."""
     array = arrays[name]
     fits = array.ndim == len(shape) and all(

@@ -40,9 +40,7 @@ class Mixture(Composite):
     (0.3, 0.7)
     """
 
-    def __init__(
-        self, strategies: Iterable[Strategy], *, weights: ArrayLike | None = None
-    ) -> None:
+    def __init__(self, strategies: Iterable[Strategy], *, weights: ArrayLike | None = None) -> None:
         super().__init__(strategies)
         count = len(self.strategies)
         given = as_point("weights", [1.0] * count if weights is None else weights, count)

@@ -43,7 +43,7 @@ pub(crate) struct PyCoverage(Coverage);
 #[pymethods]
 impl PyCoverage {
     #[new]
-    #[pyo3(signature = (tau, *, dim=None))]
+    #[pyo3(signature = (tau, *, dim=None), text_signature = "(tau, *, dim=2)")]
     fn new(tau: &Bound<'_, PyAny>, dim: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let dim = dim.map_or(Ok(2), |dim| count("dim", dim))?;
         if dim != 2 {

@@ -123,7 +123,7 @@ impl PyNearestNeighbors {
     /// >>> tree.extend([[0], [3], [4]])
     /// >>> tree.nearest([1], k=2)
     /// (array([1., 2.]), array([0, 1]))
-    #[pyo3(signature = (query, *, k=None))]
+    #[pyo3(signature = (query, *, k=None), text_signature = "($self, query, *, k=1)")]
     fn nearest<'py>(
         &self,
         py: Python<'py>,

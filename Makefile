@@ -1,0 +1,68 @@
+# The few verbs of this project; `make help` lists them. Each sets up what it needs in .venv.
+
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+PIP    := $(BIN)/python -m pip install --quiet --constraint requirements.txt
+# The build finds the environment to install into by this variable.
+export VIRTUAL_ENV := $(CURDIR)/$(VENV)
+
+.DEFAULT_GOAL := help
+.PHONY: help reproduce test lint types test-rust test-python test-wheel bench lock clean develop
+
+help: ## list the verbs
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## /\1\t/' | expand -t 14
+
+reproduce: $(VENV)/.run develop ## the paper's four figures and the comparison, into figures/
+	$(BIN)/divbandit reproduce --out figures
+
+test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI makes
+
+bench: $(VENV)/.test develop ## kernels (criterion) and peers; the peers' table goes into the README
+	cargo bench --locked --package divbandit-core
+	$(BIN)/python benches/peers.py --readme README.md
+
+lint: $(VENV)/.test # formatting and linters of both languages
+	cargo fmt --all --check
+	cargo clippy --locked --workspace --all-targets -- -D warnings
+	$(BIN)/ruff format --check
+	$(BIN)/ruff check
+
+types: $(VENV)/.test develop # strict types, and stubs that say what the compiled module does
+	$(BIN)/mypy
+	$(BIN)/python -m mypy.stubtest divbandit._core
+
+test-rust:
+	cargo test --locked --package divbandit-core
+	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --package divbandit-core
+
+test-python: $(VENV)/.test develop
+	$(BIN)/python -m pytest
+
+test-wheel: $(VENV)/.test # the wheel alone, with NumPy and nothing else, in an empty environment
+	rm -rf dist .wheel-venv
+	$(BIN)/maturin build --quiet --release --locked --out dist
+	$(PYTHON) -m venv .wheel-venv
+	.wheel-venv/bin/python -m pip install --quiet --constraint requirements.txt dist/*.whl
+	cd dist && ../.wheel-venv/bin/python -I ../tests/smoke.py
+
+lock: $(VENV)/.test # requirements.txt anew, from pyproject.toml
+	$(PIP) pip-tools
+	$(BIN)/pip-compile --quiet --upgrade --strip-extras --extra test --no-emit-index-url \
+		--no-emit-find-links --no-emit-trusted-host --unsafe-package divbandit --output-file requirements.txt pyproject.toml
+
+clean: ## remove all that was built
+	rm -rf target dist figures $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
+
+# The compiled module, built in place; a moment when nothing has changed.
+develop: $(VENV)/.run
+	$(BIN)/maturin develop --quiet --release --locked
+
+$(VENV)/.run: requirements.txt
+	$(PYTHON) -m venv $(VENV)
+	$(PIP) maturin matplotlib numpy tqdm
+	touch $@
+
+$(VENV)/.test: $(VENV)/.run requirements.txt
+	$(PIP) --requirement requirements.txt
+	touch $@

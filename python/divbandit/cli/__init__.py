@@ -1,0 +1,117 @@
+"""The command line: ``divbandit reproduce [1 2 3 4]``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from divbandit.experiments.parallel import Progress
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit status.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        The words after ``divbandit``; by default those of this process.
+
+    Examples
+    --------
+    >>> main(["reproduce", "5"])
+    2
+    """
+    try:
+        options = _parser().parse_args(arguments)
+    except SystemExit as end:  # argparse has said why, or printed the help
+        return int(end.code or 0)
+    try:
+        import matplotlib as mpl  # noqa: PLC0415
+        import tqdm  # noqa: F401, PLC0415
+    except ImportError as error:
+        print(f"divbandit: {error}; pip install 'divbandit[cli]'", file=sys.stderr)
+        return 1
+    mpl.use("Agg")
+    return _reproduce(options)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="divbandit", description="Diversity-driven selection of exploration strategies."
+    )
+    commands = parser.add_subparsers(required=True, metavar="command")
+    reproduce = commands.add_parser(
+        "reproduce",
+        help="make the paper's figures and compare them with its archived results",
+        description="Make figures 1 to 4 of Benureau and Oudeyer (2015) as PNG and SVG, and "
+        "compare figure 4 with the archived results.",
+    )
+    reproduce.add_argument(
+        "figures",
+        nargs="*",
+        type=_from(1, 4),
+        metavar="FIGURE",
+        help="which figures, from 1 to 4 (default: all)",
+    )
+    reproduce.add_argument(
+        "--out", default="figures", metavar="DIR", help="where to put them (default: figures)"
+    )
+    reproduce.add_argument(
+        "--repetitions",
+        type=_from(1),
+        default=25,
+        metavar="N",
+        help="explorations behind each mean (default: 25, as in the paper; 3 for a quick look)",
+    )
+    reproduce.add_argument("--seed", type=_from(0), default=0, metavar="N", help="(default: 0)")
+    reproduce.add_argument(
+        "--jobs", type=_from(1), default=None, metavar="N", help="processes (default: all cores)"
+    )
+    return parser
+
+
+def _from(low: int, high: int | None = None) -> Callable[[str], int]:
+    """Return a reader of whole numbers in [low, high] for the parser."""
+
+    def read(text: str) -> int:
+        bounds = f"a whole number of at least {low}" if high is None else f"from {low} to {high}"
+        try:
+            number = int(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"must be {bounds}, got {text!r}") from None
+        if number < low or (high is not None and number > high):
+            raise argparse.ArgumentTypeError(f"must be {bounds}, got {text!r}")
+        return number
+
+    return read
+
+
+def _reproduce(options: argparse.Namespace) -> int:
+    from divbandit.paper import comparison, reproduce  # noqa: PLC0415 - only now needed
+
+    compared = reproduce(
+        options.figures or (1, 2, 3, 4),
+        out=options.out,
+        repetitions=options.repetitions,
+        seed=options.seed,
+        jobs=options.jobs,
+        bar=_bar,
+    )
+    if compared:
+        print(comparison.table(compared))
+    print(f"written to {options.out}")
+    return 0
+
+
+@contextmanager
+def _bar(name: str, total: int) -> Iterator[Progress]:
+    """Show a progress bar."""
+    from tqdm import tqdm  # noqa: PLC0415
+
+    with tqdm(total=total, desc=name, unit="run") as bar:
+        yield bar.update

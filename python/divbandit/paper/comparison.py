@@ -1,0 +1,117 @@
+"""Comparison: figure 4's 66 points beside the archived ones, in standard errors."""
+
+from __future__ import annotations
+
+import csv
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from divbandit.paper import figure4
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from pathlib import Path
+
+#: Repetitions behind each archived point.
+ARCHIVED_REPETITIONS = 25
+#: The archive drew discs as 64-gons, up to this share smaller.
+POLYGON_SHARE = 0.002
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """One point, the archived one, and how far apart they are.
+
+    Attributes
+    ----------
+    point, archived : Point
+    repetitions : int
+        Behind `point`.
+    """
+
+    point: figure4.Point
+    archived: figure4.Point
+    repetitions: int
+
+    @property
+    def standard_error(self) -> float:
+        """The standard error of the difference: both sides combined."""
+        return math.sqrt(
+            self.point.std**2 / self.repetitions + self.archived.std**2 / ARCHIVED_REPETITIONS
+        )
+
+    @property
+    def difference(self) -> float:
+        """The difference of the means, in standard errors."""
+        return (self.point.mean - self.archived.mean) / self.standard_error
+
+    def beyond(self, errors: float) -> bool:
+        """Say whether the means differ by more than so many standard errors and a 64-gon."""
+        allowed = errors * self.standard_error + POLYGON_SHARE * self.archived.mean
+        return abs(self.point.mean - self.archived.mean) > allowed
+
+
+def compare(points: Iterable[figure4.Point], repetitions: int) -> list[Comparison]:
+    """Put each point beside the archived one.
+
+    Parameters
+    ----------
+    points : iterable of Point
+        From `divbandit.paper.figure4.run`.
+    repetitions : int
+        How many explorations are behind each.
+
+    Examples
+    --------
+    >>> from divbandit.paper import compare, figure4
+    >>> {c.difference for c in compare(figure4.archive(), repetitions=25)}
+    {0.0}
+    """
+    archived = {point.key: point for point in figure4.archive()}
+    return [Comparison(point, archived[point.key], repetitions) for point in points]
+
+
+def save(comparisons: Iterable[Comparison], path: Path) -> None:
+    """Write the comparison as CSV."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(
+            [
+                "d",
+                "strategy",
+                "motor_ratio",
+                "mean",
+                "std",
+                "archived_mean",
+                "archived_std",
+                "difference_in_standard_errors",
+            ]
+        )
+        for c in comparisons:
+            name, ratio = _named(c.point)
+            row = [c.point.mean, c.point.std, c.archived.mean, c.archived.std]
+            numbers = [f"{number:.6f}" for number in row]
+            writer.writerow([c.point.d, name, ratio, *numbers, f"{c.difference:+.3f}"])
+
+
+def table(comparisons: Sequence[Comparison]) -> str:
+    """Return the comparison as text, with a last line that counts the outliers."""
+    lines = ["    d  strategy        mean     std   archive     std  difference (std. errors)"]
+    for c in comparisons:
+        name, ratio = _named(c.point)
+        mark = " **" if c.beyond(4) else " *" if c.beyond(2) else ""
+        lines.append(
+            f"{c.point.d:5}  {name:7} {ratio:4}  {c.point.mean:8.4f} {c.point.std:7.4f}  "
+            f"{c.archived.mean:8.4f} {c.archived.std:7.4f}  {c.difference:+6.2f}{mark}"
+        )
+    two, four = (sum(c.beyond(errors) for c in comparisons) for errors in (2, 4))
+    lines.append(
+        f"{len(comparisons)} points; beyond 2 standard errors (*, 0.2 % allowed for the "
+        f"archive's 64-gons): {two}; beyond 4 (**): {four}"
+    )
+    return "\n".join(lines)
+
+
+def _named(point: figure4.Point) -> tuple[str, str]:
+    return ("adapt", "") if point.motor_ratio is None else ("mixture", f"{point.motor_ratio:.2f}")

@@ -1,0 +1,44 @@
+"""Figure 2: random goal babbling, whose reach depends on the perturbation d."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from divbandit.experiments import run_all
+from divbandit.exploration import Exploration, explore
+from divbandit.paper import setting
+from divbandit.paper.figure1 import panel
+from divbandit.plot import style
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.figure import Figure
+
+    from divbandit.experiments.parallel import Progress
+
+
+def run(
+    seed: int, *, n: int = 5000, jobs: int | None = None, progress: Progress | None = None
+) -> list[Exploration]:
+    """Explore the arm by goal babbling, once for each d."""
+    tasks = [(seed, index, n) for index in range(len(setting.PERTURBATIONS))]
+    return run_all(_explore, tasks, jobs=jobs, progress=progress)
+
+
+def _explore(task: tuple[int, int, int]) -> Exploration:
+    seed, index, n = task
+    strategy = setting.goal_babbling(setting.PERTURBATIONS[index])
+    return explore(setting.arm(), strategy, n, rng=setting.seed_of(seed, 2, index))
+
+
+def draw(explorations: Sequence[Exploration]) -> Figure:
+    """Draw the effects and the last five postures, a panel for each d."""
+    import matplotlib.pyplot as plt  # noqa: PLC0415
+
+    figure, row = plt.subplots(1, 3, figsize=(style.PAGE, 2.65), sharey=True)
+    for ax, d, exploration in zip(row, setting.PERTURBATIONS, explorations, strict=True):
+        panel(ax, exploration)
+        ax.set_title(f"goal babbling, d = {d}")
+        ax.label_outer()
+    return figure

@@ -1,0 +1,132 @@
+"""Figure 4: what every fixed mixture reaches, and ADAPT beside them without being told."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from importlib import resources
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from divbandit.experiments import run_all
+from divbandit.exploration import explore
+from divbandit.measures import coverage
+from divbandit.paper import setting
+from divbandit.plot import mixtures, style
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from pathlib import Path
+
+    from matplotlib.figure import Figure
+
+    from divbandit.experiments.parallel import Progress
+
+
+@dataclass(frozen=True)
+class Point:
+    """A strategy's final diversity: mean and population standard deviation, in square metres."""
+
+    d: float
+    motor_ratio: float | None  #: of the mixture; None for ADAPT
+    mean: float
+    std: float
+
+    @property
+    def key(self) -> tuple[float, float | None]:
+        """What tells the points apart."""
+        return self.d, self.motor_ratio
+
+
+_STRATEGIES: tuple[float | None, ...] = (None, *setting.RATIOS)
+
+
+def run(
+    seed: int,
+    *,
+    n: int = 10000,
+    repetitions: int = 25,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+) -> list[Point]:
+    """Explore the arm with ADAPT and with each of the 21 mixtures, for each d."""
+    tasks = [
+        (seed, i, j, repetition, n)
+        for i in range(len(setting.PERTURBATIONS))
+        for j in range(len(_STRATEGIES))
+        for repetition in range(repetitions)
+    ]
+    final = np.reshape(run_all(_diversity, tasks, jobs=jobs, progress=progress), (-1, repetitions))
+    keys = [(d, ratio) for d in setting.PERTURBATIONS for ratio in _STRATEGIES]
+    return [
+        Point(d, ratio, float(of_point.mean()), float(of_point.std()))
+        for (d, ratio), of_point in zip(keys, final, strict=True)
+    ]
+
+
+def explorations(repetitions: int) -> int:
+    """Return how many explorations `run` makes."""
+    return len(setting.PERTURBATIONS) * len(_STRATEGIES) * repetitions
+
+
+def _diversity(task: tuple[int, int, int, int, int]) -> float:
+    """Explore once and return the final diversity."""
+    seed, i, j, repetition, n = task
+    d, ratio = setting.PERTURBATIONS[i], _STRATEGIES[j]
+    strategy = setting.adapt(d) if ratio is None else setting.mixture(d, ratio)
+    place = setting.seed_of(seed, 4, i, j, repetition)
+    return coverage(explore(setting.arm(), strategy, n, rng=place).effects, setting.TAU)
+
+
+def draw(points: Sequence[Point]) -> Figure:
+    """Draw, for each d, the mixtures against their ratio and ADAPT as a dotted line."""
+    import matplotlib.pyplot as plt  # noqa: PLC0415
+
+    archived = archive()
+    figure, row = plt.subplots(1, 3, figsize=(style.PAGE, 2.5))
+    for ax, d in zip(row, setting.PERTURBATIONS, strict=True):
+        of_d = [point for point in points if point.d == d]
+        adapt = next(point for point in of_d if point.motor_ratio is None)
+        mixtures(
+            [(p.motor_ratio, p.mean, p.std) for p in of_d if p.motor_ratio is not None],
+            adapt=(adapt.mean, adapt.std),
+            archive=[
+                (p.motor_ratio, p.mean) for p in archived if p.d == d and p.motor_ratio is not None
+            ],
+            unit="m²",
+            ax=ax,
+        )
+        ax.set_title(f"d = {d}")
+    for ax in row[1:]:
+        ax.set_ylabel("")
+    row[0].legend(frameon=False, loc="lower right")
+    return figure
+
+
+def archive() -> list[Point]:
+    """Return the paper's archived results (25 repetitions, discs drawn as 64-gons)."""
+    file = resources.files("divbandit.paper") / "archived_figure4.csv"
+    return _points(file.read_text(encoding="utf-8").splitlines())
+
+
+def save(points: Iterable[Point], path: Path) -> None:
+    """Write points as CSV: d, strategy, motor_ratio, mean, std."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["d", "strategy", "motor_ratio", "mean", "std"])
+        for p in points:
+            name, ratio = ("adapt", "") if p.motor_ratio is None else ("mixture", p.motor_ratio)
+            writer.writerow([p.d, name, ratio, repr(p.mean), repr(p.std)])
+
+
+def _points(lines: Iterable[str]) -> list[Point]:
+    return [
+        Point(
+            float(row["d"]),
+            float(row["motor_ratio"]) if row["motor_ratio"] else None,
+            float(row["mean"]),
+            float(row["std"]),
+        )
+        for row in csv.DictReader(lines)
+    ]

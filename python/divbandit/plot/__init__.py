@@ -1,0 +1,12 @@
+"""Figures: each function takes data and an optional matplotlib Axes, draws, and returns the Axes.
+
+What is drawn is computed in `divbandit.plot.data`, so that it can be had without a picture.
+"""
+
+from divbandit.plot.diversity import diversity
+from divbandit.plot.mixtures import mixtures
+from divbandit.plot.postures import postures
+from divbandit.plot.spread import spread
+from divbandit.plot.usage import usage
+
+__all__ = ["diversity", "mixtures", "postures", "spread", "usage"]

@@ -1,0 +1,95 @@
+"""What the figures show, as plain arrays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from divbandit._checks import whole
+from divbandit.exploration import Exploration
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+def effects_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
+    """Return the effects of an exploration, or `data` itself as effects in the plane.
+
+    Examples
+    --------
+    >>> effects_of([[0, 1], [2, 3]]).shape
+    (2, 2)
+    """
+    effects = np.asarray(data.effects if isinstance(data, Exploration) else data, dtype=float)
+    if effects.ndim != 2 or effects.shape[1] != 2:
+        raise ValueError(f"data must hold effects of shape (n, 2), got {effects.shape}")
+    return effects
+
+
+def diversities_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
+    """Return what a bandit believed at each step, shape (n, q).
+
+    Examples
+    --------
+    >>> diversities_of([[0.1, 0.2], [0.1, 0.3]]).shape
+    (2, 2)
+    """
+    if isinstance(data, Exploration):
+        if data.diversities is None:
+            raise ValueError("data must be the exploration of a bandit: it has no diversities")
+        return data.diversities
+    diversities = np.asarray(data, dtype=float)
+    if diversities.ndim != 2:
+        raise ValueError(f"data must hold diversities of shape (n, q), got {diversities.shape}")
+    return diversities
+
+
+def usage_of(
+    data: Exploration | ArrayLike, *, window: int = 100, strategies: int | None = None
+) -> NDArray[np.float64]:
+    """Return the share of each strategy among the choices around each step.
+
+    Parameters
+    ----------
+    data : Exploration or array_like of int, shape (n,)
+        The choices.
+    window : int
+        Steps over which the centred mean is taken; near both ends, over those that exist.
+    strategies : int, optional
+        How many strategies there are; by default as many as were chosen or believed in.
+
+    Returns
+    -------
+    numpy.ndarray of float64, shape (n, strategies)
+        In [0, 1]; each row sums to 1.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the choices are no indices, or `window` is not at least 1.
+
+    Examples
+    --------
+    >>> usage_of([0, 0, 1, 1], window=2)
+    array([[1. , 0. ],
+           [1. , 0. ],
+           [0.5, 0.5],
+           [0. , 1. ]])
+    """
+    window = whole("window", window, low=1)
+    choices = data.choices if isinstance(data, Exploration) else np.asarray(data)
+    if choices.ndim != 1 or choices.size == 0 or choices.dtype.kind not in "iu":
+        raise ValueError(f"data must hold choices, indices of shape (n,), got {choices!r}")
+    least = int(choices.max()) + 1
+    if strategies is None:
+        known = data.diversities if isinstance(data, Exploration) else None
+        strategies = least if known is None else known.shape[1]
+    strategies = whole("strategies", strategies, low=least)
+    counts = np.zeros((len(choices) + 1, strategies))
+    counts[1:] = np.cumsum(choices[:, None] == np.arange(strategies), axis=0)
+    steps = np.arange(len(choices))
+    first = np.maximum(steps - window // 2, 0)
+    last = np.minimum(steps - window // 2 + window, len(choices))
+    shares: NDArray[np.float64] = (counts[last] - counts[first]) / (last - first)[:, None]
+    return shares

@@ -1,0 +1,84 @@
+"""diversity: what a bandit believed of its strategies, over time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from divbandit.plot import style
+from divbandit.plot.data import diversities_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
+
+    from divbandit.exploration import Exploration
+
+
+def diversity(
+    data: Exploration | ArrayLike,
+    *,
+    labels: Sequence[str] | None = None,
+    unit: str = "",
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw each strategy's diversity against the steps.
+
+    Parameters
+    ----------
+    data : Exploration or array_like, shape (n, q)
+        The diversities before each choice.
+    labels : sequence of str, optional
+        The strategies' names.
+    unit : str
+        The unit of a gain, for the label of the axis.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; by default in a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If `data` has another shape or is an exploration without a bandit.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit import plot
+    >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+    >>> run = db.explore(db.PlanarArm(20), adapt, n=100, rng=0)
+    >>> ax = plot.diversity(run, labels=["motor babbling", "goal babbling"])
+    >>> len(ax.lines)
+    2
+    """
+    diversities = diversities_of(data)
+    ax = style.axes(ax)
+    curves(ax, diversities, labels)
+    ax.set_ylim(bottom=0)
+    ax.set_ylabel(style.with_unit("diversity", unit))
+    return ax
+
+
+def curves(ax: Axes, values: np.ndarray, labels: Sequence[str] | None) -> None:
+    """Draw one line a strategy against the steps, with a legend if they have names."""
+    count = values.shape[1]
+    if labels is not None and len(labels) != count:
+        raise ValueError(f"labels must name {count} strategies, got {len(labels)}")
+    steps = np.arange(1, len(values) + 1)
+    for index in range(count):
+        ax.plot(
+            steps,
+            values[:, index],
+            color=style.COLOURS[index % len(style.COLOURS)],
+            label=None if labels is None else labels[index],
+        )
+    ax.set_xlim(0, len(values))
+    ax.set_xlabel("step")
+    if labels is not None:
+        ax.legend(frameon=False)

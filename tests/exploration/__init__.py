@@ -1,0 +1,1 @@
+"""Tests of running, saving and loading explorations."""

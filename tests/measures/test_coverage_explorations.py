@@ -1,0 +1,67 @@
+"""The coverage of whole explorations, thousands of discs deep in places, in any order."""
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import divbandit as db
+from tests.reference.union_area import union_area
+
+ARCHIVE = Path(__file__).parents[3] / "shared" / "reference" / "figures_1_2_effects.npz"
+ARCHIVED = ("figure1_motor_babbling", "figure2_d0.001", "figure2_d0.05", "figure2_d0.5")
+GENERATED = {
+    "motor babbling": db.MotorBabbling(),
+    "goal babbling, d = 0.001": db.GoalBabbling(0.001),
+    "goal babbling, d = 0.05": db.GoalBabbling(0.05),
+}
+
+
+@cache
+def archived(name):
+    if not ARCHIVE.exists():
+        pytest.skip(f"the archived effects of figures 1 and 2 are not beside the clone: {ARCHIVE}")
+    with np.load(ARCHIVE) as saved:
+        return saved[name]
+
+
+@cache
+def generated(name):
+    return db.explore(db.PlanarArm(20), GENERATED[name], n=2000, rng=0).effects
+
+
+def orders(n):
+    """Return the orders of arrival to try: as it was, reversed, and two at random."""
+    rng = np.random.default_rng(2)
+    return [np.arange(n), np.arange(n)[::-1], rng.permutation(n), rng.permutation(n)]
+
+
+def check(effects, tau):
+    expected = union_area(effects, tau)
+    assert db.coverage(effects, tau) == pytest.approx(expected, rel=1e-10, abs=0)
+    for order in orders(len(effects)):
+        gains = db.Coverage(tau).extend(effects[order])
+        assert gains.sum() == pytest.approx(expected, rel=1e-10, abs=0)
+        assert gains.min() >= 0
+
+
+@pytest.mark.parametrize("tau", [0.005, 0.02, 0.1])
+@pytest.mark.parametrize("name", ARCHIVED)
+def test_archived_effects(name, tau):
+    effects = archived(name)
+    assert effects.shape == (5000, 2)
+    check(effects, tau)
+
+
+@pytest.mark.parametrize("tau", [0.005, 0.02, 0.1])
+@pytest.mark.parametrize("name", GENERATED)
+def test_generated_effects(name, tau):
+    check(generated(name), tau)
+
+
+def test_coverage_of_an_exploration_step_by_step():
+    run = db.explore(db.PlanarArm(20), db.GoalBabbling(0.05), n=300, rng=1)
+    covered = run.coverage(0.05)
+    for n in (1, 2, 10, 100, 300):
+        assert covered[n - 1] == pytest.approx(union_area(run.effects[:n], 0.05), rel=1e-12)

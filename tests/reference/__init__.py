@@ -1,0 +1,1 @@
+"""Slow, plain oracles: anyone can check them by eye."""

@@ -1,0 +1,46 @@
+"""What an Adapt believes at each step, recomputed from the log alone.
+
+The definition, word by word: the gain of an effect is taken over all effects before it, whoever
+produced them; a strategy's diversity is the mean of its last `window` gains, with the head start
+placed first. Sums are made with fractions, so they are exact and rounded once.
+"""
+
+import math
+from fractions import Fraction
+
+import divbandit as db
+
+
+def replay(adapt, effects, paths, prefix=()):
+    """Return the diversities before each step, and after the last.
+
+    Parameters
+    ----------
+    adapt : Adapt
+        Only its parameters are read.
+    effects : (n, 2) array
+    paths : n tuples of int
+        Who chose each command.
+    prefix : tuple of int
+        Where the Adapt stands: the path of its own proposals.
+    """
+    ball = math.pi * adapt.tau * adapt.tau
+    windows = [[ball] * adapt.head_start for _ in adapt.strategies]
+    coverage = db.Coverage(adapt.tau)
+    beliefs = [_means(windows)]
+    for effect, path in zip(effects, paths, strict=True):
+        gain = coverage.add(effect)
+        depth = len(prefix)
+        if tuple(path[:depth]) == prefix:
+            child = path[depth]
+            windows[child] = [*windows[child], gain][-adapt.window :]
+        beliefs.append(_means(windows))
+    return beliefs
+
+
+def _means(windows):
+    return tuple(_mean(window) for window in windows)
+
+
+def _mean(gains):
+    return float(sum(map(Fraction, gains))) / len(gains) if gains else 0.0

@@ -1,0 +1,116 @@
+"""One stream of randomness: a draw made in Rust is the caller's own `rng.random()`."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import divbandit as db
+from divbandit._core import Bounds
+from tests.generators import BIT_GENERATORS, state, twins
+
+LOW, HIGH = np.array([-1.0, 0.0, 5.0]), np.array([1.0, 0.25, 5.0])
+
+
+def uniform(low, high, rng):
+    """Return what a draw must be, one `rng.random()` a coordinate."""
+    return np.array([a + (b - a) * rng.random() for a, b in zip(low, high, strict=True)])
+
+
+def near(parent, d, rng):
+    reach = d * (HIGH - LOW)
+    return uniform(np.maximum(LOW, parent - reach), np.minimum(HIGH, parent + reach), rng)
+
+
+def is_free(lock):
+    """Say whether another thread could take the lock."""
+    taken = []
+
+    def take():
+        taken.append(lock.acquire(blocking=False))
+        if taken[0]:
+            lock.release()
+
+    thread = threading.Thread(target=take)
+    thread.start()
+    thread.join()
+    return taken[0]
+
+
+def observed_history():
+    history = db.History(db.Box(LOW, HIGH), db.Box([0], [1]))
+    history.append([-0.95, 0.1, 5.0], [0.2])
+    history.append([0.5, 0.25, 5.0], [0.7])
+    return history
+
+
+@pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
+def test_draws_are_the_generators_own_and_leave_its_state(bit_generator):
+    rng, plain = twins(bit_generator)
+    box, history = db.Box(LOW, HIGH), observed_history()
+    for _ in range(300):
+        assert box.sample(rng).tolist() == uniform(LOW, HIGH, plain).tolist()
+        assert rng.random() == plain.random()
+        inverse = history.inverse([0.6], rng, d=0.1)
+        assert inverse.tolist() == near(history.commands[1], 0.1, plain).tolist()
+        assert rng.integers(1000) == plain.integers(1000)
+        assert rng.normal() == plain.normal()
+        parent = box.sample(rng)
+        assert parent.tolist() == uniform(LOW, HIGH, plain).tolist()
+        perturbed = box.bounds.perturb(parent, 0.3, rng)
+        assert perturbed.tolist() == near(parent, 0.3, plain).tolist()
+    assert state(rng) == state(plain)
+
+
+@pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
+def test_the_lock_is_free_afterwards(bit_generator):
+    rng, _ = twins(bit_generator)
+    lock, history = rng.bit_generator.lock, observed_history()
+    db.Box(LOW, HIGH).sample(rng)
+    assert is_free(lock)
+    history.inverse([0.6], rng)
+    assert is_free(lock)
+
+
+@pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
+@pytest.mark.parametrize(
+    "fail",
+    [
+        lambda history, rng: history.inverse([0.5, 0.5], rng),
+        lambda history, rng: history.inverse([np.nan], rng),
+        lambda history, rng: history.inverse([0.5], rng, d=2),
+        lambda history, rng: history.motor_space.bounds.perturb([9, 9, 9], 0.1, rng),
+        lambda history, rng: history.motor_space.bounds.perturb([0, 0, 5], -1, rng),
+    ],
+    ids=["goal's shape", "goal's value", "d above 1", "parent outside", "d below 0"],
+)
+def test_an_error_draws_nothing_and_frees_the_lock(fail, bit_generator):
+    rng, plain = twins(bit_generator)
+    with pytest.raises(ValueError, match="must"):
+        fail(observed_history(), rng)
+    assert state(rng) == state(plain)
+    assert is_free(rng.bit_generator.lock)
+
+
+def test_threads_share_one_generator_without_losing_a_draw():
+    rng, plain = twins(np.random.PCG64)
+    bounds, drawn = Bounds([0], [1]), []
+    threads = [
+        threading.Thread(target=lambda: drawn.extend(bounds.sample(rng)[0] for _ in range(500)))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(drawn) == sorted(plain.random(2000))
+
+
+@pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
+def test_whole_explorations_draw_from_the_generator_given(bit_generator):
+    rng, plain = twins(bit_generator)
+    run = db.explore(db.PlanarArm(3), db.MotorBabbling(), n=50, rng=rng)
+    space = run.motor_space
+    expected = [uniform(space.low, space.high, plain) for _ in range(50)]
+    assert run.commands.tolist() == np.array(expected).tolist()
+    assert state(rng) == state(plain)

@@ -40,8 +40,8 @@ def main():
             "| the same work | peer | peer's time | divbandit | ratio |",
             "|---|---|---:|---:|---:|",
             *(
-                f"| {work} | {peer} | {readable(theirs)} | {readable(ours)} | {theirs / ours:.0f}x |"
-                for work, peer, theirs, ours in rows
+                f"| {work} | {peer} | {readable(peers)} | {readable(ours)} | {peers / ours:.0f}x |"
+                for work, peer, peers, ours in rows
             ),
         ]
     )

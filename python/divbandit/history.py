@@ -236,7 +236,8 @@ class History:
 def _enlarged(rows: NDArray[np.float64], width: int) -> NDArray[np.float64]:
     """Return a copy of `rows` with room for twice as many."""
     larger = np.empty((max(64, 2 * len(rows)), width))
-    larger[: len(rows)] = rows
+    if len(rows):
+        larger[: len(rows)] = rows
     return larger
 
 

@@ -37,7 +37,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"divbandit: {error}; pip install 'divbandit[cli]'", file=sys.stderr)
         return 1
     mpl.use("Agg")
-    return _reproduce(options)
+    try:
+        return _reproduce(options)
+    except OSError as error:
+        print(f"divbandit: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("divbandit: interrupted", file=sys.stderr)
+        return 130
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -107,7 +107,7 @@ class Exploration:
         --------
         >>> import divbandit as db
         >>> run = db.explore(db.PlanarArm(20), db.MotorBabbling(), n=100, rng=0)
-        >>> round(run.coverage(0.02)[0], 9)
+        >>> round(float(run.coverage(0.02)[0]), 9)
         0.001256637
         """
         gains = Coverage(tau).extend(self.effects)
@@ -136,8 +136,8 @@ class Exploration:
         >>> with tempfile.TemporaryDirectory() as folder:
         ...     run.save(os.path.join(folder, "run.npz"))
         ...     again = db.Exploration.load(os.path.join(folder, "run.npz"))
-        >>> (again.effects == run.effects).all()
-        np.True_
+        >>> bool((again.effects == run.effects).all())
+        True
         """
         arrays: dict[str, NDArray[Any]] = {
             "format": np.array([_FORMAT, str(_VERSION)]),

@@ -58,6 +58,7 @@ def diversity(
     2
     """
     diversities = diversities_of(data)
+    _check_labels(labels, diversities.shape[1])
     ax = style.axes(ax)
     curves(ax, diversities, labels)
     ax.set_ylim(bottom=0)
@@ -67,11 +68,8 @@ def diversity(
 
 def curves(ax: Axes, values: np.ndarray, labels: Sequence[str] | None) -> None:
     """Draw one line a strategy against the steps, with a legend if they have names."""
-    count = values.shape[1]
-    if labels is not None and len(labels) != count:
-        raise ValueError(f"labels must name {count} strategies, got {len(labels)}")
     steps = np.arange(1, len(values) + 1)
-    for index in range(count):
+    for index in range(values.shape[1]):
         ax.plot(
             steps,
             values[:, index],
@@ -82,3 +80,8 @@ def curves(ax: Axes, values: np.ndarray, labels: Sequence[str] | None) -> None:
     ax.set_xlabel("step")
     if labels is not None:
         ax.legend(frameon=False)
+
+
+def _check_labels(labels: Sequence[str] | None, count: int) -> None:
+    if labels is not None and len(labels) != count:
+        raise ValueError(f"labels must name {count} strategies, got {len(labels)}")

@@ -55,6 +55,9 @@ def mixtures(
     points = np.asarray(data, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"data must have shape (k, 3), got {points.shape}")
+    found = np.empty((0, 2)) if archive is None else np.asarray(archive, dtype=float)
+    if found.ndim != 2 or found.shape[1] != 2:
+        raise ValueError(f"archive must have shape (k, 2), got {found.shape}")
     ax = style.axes(ax)
     ax.errorbar(
         points[:, 0],
@@ -73,10 +76,7 @@ def mixtures(
         colour = style.COLOURS[1]
         ax.axhspan(mean - deviation, mean + deviation, color=colour, alpha=0.2, linewidth=0)
         ax.axhline(mean, color=colour, linestyle=":", label="ADAPT")
-    if archive is not None:
-        found = np.asarray(archive, dtype=float)
-        if found.ndim != 2 or found.shape[1] != 2:
-            raise ValueError(f"archive must have shape (k, 2), got {found.shape}")
+    if len(found):
         ax.plot(
             found[:, 0],
             found[:, 1],

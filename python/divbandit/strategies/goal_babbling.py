@@ -39,7 +39,7 @@ class GoalBabbling(Strategy):
     >>> arm = db.PlanarArm(20)
     >>> goal_babbling = db.explore(arm, db.GoalBabbling(0.05), n=1000, rng=0)
     >>> motor_babbling = db.explore(arm, db.MotorBabbling(), n=1000, rng=0)
-    >>> goal_babbling.coverage(0.02)[-1] > motor_babbling.coverage(0.02)[-1]
+    >>> bool(goal_babbling.coverage(0.02)[-1] > motor_babbling.coverage(0.02)[-1])
     True
     """
 

@@ -27,8 +27,8 @@ use crate::errors::value_error;
 /// >>> import divbandit as db
 /// >>> tree = db.NearestNeighbors(2)
 /// >>> tree.extend([[0, 0], [1, 0], [1, 1]])
-/// >>> tree.nearest([0.9, 0.8])
-/// (0.22360679774997896, 2)
+/// >>> tree.nearest([1, 0.75])
+/// (0.25, 2)
 /// >>> len(tree)
 /// 3
 #[pyclass(module = "divbandit", name = "NearestNeighbors")]

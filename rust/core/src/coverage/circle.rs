@@ -20,22 +20,18 @@ impl Direction {
     /// Where it ends: +x again, turn 4.
     pub const END: Self = Self { turn: 4.0, x: 1.0, y: 0.0 };
 
+    /// The direction of (`x`, `y`), a unit vector.
+    ///
+    /// Without a branch: the quadrants of crossings come in no predictable order.
     #[inline]
     pub fn new(x: f64, y: f64) -> Self {
-        let norm = x.abs() + y.abs();
-        let turn = if y >= 0.0 {
-            if x >= 0.0 { y / norm } else { 1.0 - x / norm }
-        } else if x < 0.0 {
-            2.0 - y / norm
-        } else {
-            3.0 + x / norm
-        };
-        Self { turn, x, y }
+        let along = x / (x.abs() + y.abs());
+        Self { turn: 2.0 - (1.0 + along).copysign(y), x, y }
     }
 
     #[inline]
     pub fn opposite(self) -> Self {
-        Self::new(-self.x, -self.y)
+        Self { turn: self.turn - 2.0_f64.copysign(self.turn - 2.0), x: -self.x, y: -self.y }
     }
 }
 

@@ -30,15 +30,15 @@ impl Grid {
         self.cells.entry(key).or_default().push(entry);
     }
 
-    /// All centres in the 3 x 3 cells around a point.
-    pub fn around(&self, x: f64, y: f64) -> impl Iterator<Item = &Entry> {
+    /// The centres in the 3 x 3 cells around a point, cell by cell.
+    pub fn around(&self, x: f64, y: f64) -> impl Iterator<Item = &[Entry]> {
         let (column, row) = (self.column(x), self.column(y));
         let steps = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (i, j)));
         steps
             .filter_map(move |(i, j)| {
                 self.cells.get(&(column.saturating_add(i), row.saturating_add(j)))
             })
-            .flatten()
+            .map(Vec::as_slice)
     }
 
     /// All centres, in no particular order.

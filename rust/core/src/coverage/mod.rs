@@ -32,9 +32,20 @@ pub struct Coverage {
     survey: Survey,
 }
 
+/// A stored disc, seen from a new centre in units of the radius.
+#[derive(Debug, Clone, Copy, Default)]
+struct Neighbour {
+    disc: u32,
+    dx: f64,
+    dy: f64,
+    squared: f64,
+}
+
 /// What a new disc would change. Kept between calls for its memory alone.
 #[derive(Debug, Clone, Default)]
 struct Survey {
+    /// The stored discs that may overlap the new one.
+    neighbours: Vec<Neighbour>,
     /// The parts of the new circle that lie in older discs, in any order.
     covered: Vec<Arc>,
     /// The parts that lie in none.
@@ -158,22 +169,17 @@ impl Coverage {
     fn explore(&mut self, [x, y]: [f64; 2]) {
         let Self { tau, exposed, grid, survey, .. } = self;
         survey.clear();
-        for entry in grid.around(x, y) {
-            let (dx, dy) = ((entry.x - x) / *tau, (entry.y - y) / *tau);
-            let squared = dx * dx + dy * dy;
-            // 4 but for rounding; what lies between, the contact decides precisely.
-            if squared > 4.000_000_000_001 {
-                continue;
-            }
-            if squared < f64::MIN_POSITIVE {
-                survey.clear(); // a duplicate: nothing changes
-                return;
-            }
+        survey.find_neighbours(grid, *tau, (x, y));
+        if survey.neighbours.iter().any(|near| near.squared < f64::MIN_POSITIVE) {
+            return; // a duplicate: nothing changes
+        }
+        for index in 0..survey.neighbours.len() {
+            let Neighbour { disc, dx, dy, squared } = survey.neighbours[index];
             let Some(contact) = Contact::with(dx, dy, squared) else { continue };
             survey.cover(contact);
-            let arcs = &exposed[entry.disc as usize];
+            let arcs = &exposed[disc as usize];
             if !arcs.is_empty() {
-                survey.swallow(entry.disc, arcs, contact, (dx, dy));
+                survey.swallow(disc, arcs, contact, (dx, dy));
             }
         }
         survey.expose();
@@ -214,10 +220,31 @@ impl Coverage {
 
 impl Survey {
     fn clear(&mut self) {
+        self.neighbours.clear();
         self.covered.clear();
         self.own.clear();
         self.swallowing.clear();
         self.twice_gain = 0.0;
+    }
+
+    /// Collects the stored discs that overlap a new one, or nearly do.
+    ///
+    /// Two in three centres in the cells around lie too far away, in no predictable order:
+    /// each is written, and the place kept only if it is near.
+    fn find_neighbours(&mut self, grid: &Grid, tau: f64, (x, y): (f64, f64)) {
+        for cell in grid.around(x, y) {
+            let start = self.neighbours.len();
+            self.neighbours.resize(start + cell.len(), Neighbour::default());
+            let mut end = start;
+            for entry in cell {
+                let (dx, dy) = ((entry.x - x) / tau, (entry.y - y) / tau);
+                let squared = dx * dx + dy * dy;
+                self.neighbours[end] = Neighbour { disc: entry.disc, dx, dy, squared };
+                // 4 but for rounding; what lies between, the contact decides precisely.
+                end += usize::from(squared <= 4.000_000_000_001);
+            }
+            self.neighbours.truncate(end);
+        }
     }
 
     /// Notes the part of the new circle that an older disc covers.

@@ -1,0 +1,94 @@
+"""Every plot function draws its data, into the axes given, and returns them."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import divbandit as db
+from divbandit import plot
+
+ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+RUN = db.explore(db.PlanarArm(5), ADAPT, 60, rng=0)
+POSTURES = [db.PlanarArm(5).posture(command) for command in RUN.commands[:3]]
+MIXTURES = [[0.0, 1.0, 0.1], [0.5, 2.0, 0.2], [1.0, 1.5, 0.1]]
+CASES = {
+    "spread": lambda ax: plot.spread(RUN, tau=0.02, unit="m", ax=ax),
+    "postures": lambda ax: plot.postures(POSTURES, unit="m", ax=ax),
+    "diversity": lambda ax: plot.diversity(RUN, labels=["a", "b"], unit="m²", ax=ax),
+    "usage": lambda ax: plot.usage(RUN, labels=["a", "b"], ax=ax),
+    "mixtures": lambda ax: plot.mixtures(MIXTURES, adapt=(2.1, 0.1), unit="m²", ax=ax),
+}
+
+
+@pytest.fixture(autouse=True)
+def _close():
+    yield
+    plt.close("all")
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_draws_into_the_axes_given(name):
+    figure, (left, right) = plt.subplots(1, 2)
+    assert CASES[name](right) is right
+    assert not left.has_data()
+    assert right.has_data()
+    assert right.get_xlabel()
+    assert right.get_ylabel()
+    figure.canvas.draw()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_makes_a_figure_of_its_own(name):
+    ax = CASES[name](None)
+    assert ax.figure.number in plt.get_fignums()
+
+
+def test_spread_draws_each_effect_and_its_disc():
+    ax = plot.spread(RUN, tau=0.02)
+    np.testing.assert_array_equal(ax.lines[0].get_xydata(), RUN.effects)
+    (discs,) = ax.collections
+    np.testing.assert_array_equal(discs.get_offsets(), RUN.effects)
+    np.testing.assert_allclose(discs.get_widths(), 0.04)
+
+
+def test_spread_without_a_radius_draws_no_discs():
+    assert not plot.spread(RUN.effects).collections
+
+
+def test_diversity_draws_what_the_bandit_believed():
+    ax = plot.diversity(RUN)
+    for index, line in enumerate(ax.lines):
+        np.testing.assert_array_equal(line.get_ydata(), RUN.diversities[:, index])
+
+
+def test_usage_is_in_per_cent():
+    ax = plot.usage(RUN)
+    total = sum(line.get_ydata() for line in ax.lines)
+    np.testing.assert_allclose(total, 100)
+
+
+def test_mixtures_draws_means_and_the_bandits_band():
+    ax = plot.mixtures(MIXTURES, adapt=(2.1, 0.1), archive=[[0.5, 1.9]])
+    labels = ax.get_legend_handles_labels()[1]
+    assert set(labels) == {"mixture", "ADAPT", "archived mixture"}
+    assert any(np.allclose(line.get_ydata(), 2.1) for line in ax.lines)
+
+
+@pytest.mark.parametrize(
+    ("draw", "named"),
+    [
+        (lambda: plot.spread(np.zeros((3, 3))), "data"),
+        (lambda: plot.spread(RUN, tau=0.0), "tau"),
+        (lambda: plot.spread(RUN, tau=-1.0), "tau"),
+        (lambda: plot.postures(np.zeros(4)), "data"),
+        (lambda: plot.postures(np.zeros((0, 3, 2))), "data"),
+        (lambda: plot.diversity(RUN, labels=["one"]), "labels"),
+        (lambda: plot.usage(RUN, labels=["one"]), "strategies"),
+        (lambda: plot.mixtures([[1, 2]]), "data"),
+        (lambda: plot.mixtures(MIXTURES, archive=[1.0]), "archive"),
+    ],
+)
+def test_bad_input_is_named_and_makes_no_figure(draw, named):
+    with pytest.raises(ValueError, match=named):
+        draw()
+    assert not plt.get_fignums()

@@ -1,1 +1,52 @@
-fn main() {}
+//! The inverse model: from a goal to a command, over the number of effects observed.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use divbandit_core::{Bounds, NearestNeighbors, PlanarArm, inverse};
+
+#[path = "../tests/oracles/mod.rs"]
+mod oracles;
+
+const JOINTS: usize = 20;
+const LIMIT: f64 = 2.6;
+const GOALS: usize = 1000;
+
+fn goals_to_commands(criterion: &mut Criterion) {
+    let arm = PlanarArm::new(JOINTS, LIMIT).unwrap();
+    let space = Bounds::new(vec![-LIMIT; JOINTS], vec![LIMIT; JOINTS]).unwrap();
+    let mut group = criterion.benchmark_group("inverse");
+    group.throughput(Throughput::Elements(GOALS as u64));
+    for n in [100, 1000, 10_000, 100_000] {
+        let mut stream = oracles::Stream(1);
+        let commands: Vec<f64> = (0..n * JOINTS).map(|_| stream.between(-LIMIT, LIMIT)).collect();
+        let mut effects = vec![0.0; 2 * n];
+        arm.effects(&commands, &mut effects).unwrap();
+        let mut tree = NearestNeighbors::new(2).unwrap();
+        tree.extend(&effects).unwrap();
+        let goals: Vec<f64> = (0..2 * GOALS).map(|_| stream.between(-1.0, 1.0)).collect();
+
+        group.bench_function(BenchmarkId::from_parameter(n), |bencher| {
+            let mut unit = || stream.unit();
+            bencher.iter(|| {
+                for goal in goals.chunks_exact(2) {
+                    let command = inverse(goal, 0.05, &tree, &commands, &space, &mut unit);
+                    black_box(command.unwrap());
+                }
+            });
+        });
+    }
+}
+
+fn quick() -> Criterion {
+    let [warm_up, measurement] = [100, 400].map(Duration::from_millis);
+    Criterion::default()
+        .sample_size(10)
+        .nresamples(1000)
+        .warm_up_time(warm_up)
+        .measurement_time(measurement)
+}
+
+criterion_group!(name = benches; config = quick(); targets = goals_to_commands);
+criterion_main!(benches);

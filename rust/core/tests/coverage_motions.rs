@@ -13,6 +13,8 @@ fn measure(effects: &[[f64; 2]], tau: f64) -> f64 {
     coverage.measure()
 }
 
+type Motion = fn(&[f64; 2]) -> [f64; 2];
+
 proptest! {
     #![proptest_config(fixed(600))]
 
@@ -60,8 +62,7 @@ proptest! {
         // Exact motions: also sets full of ties and tangencies must keep their area.
         let effects = scatter(n, 10_f64.powf(spread), true, 1.0, seed);
         let expected = measure(&effects, 1.0);
-        let motions: [fn(&[f64; 2]) -> [f64; 2]; 3] =
-            [|&[x, y]| [-y, x], |&[x, y]| [-x, y], |&[x, y]| [y, x]];
+        let motions: [Motion; 3] = [|&[x, y]| [-y, x], |&[x, y]| [-x, y], |&[x, y]| [y, x]];
         for motion in motions {
             let moved: Vec<_> = effects.iter().map(motion).collect();
             prop_assert!((measure(&moved, 1.0) - expected).abs() <= 1e-12 * expected);

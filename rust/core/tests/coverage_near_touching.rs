@@ -45,3 +45,18 @@ fn add_up_to_the_area_of_their_union() {
         assert!(error < 1e-10, "case {case}: off by {error:e} discs, tau = {tau}\n{set:?}");
     }
 }
+
+#[test]
+fn two_that_nearly_coincide_touch_a_third() {
+    // The discs of radius 1 overlap by less than 1e-15 or by all but that: the area, computed
+    // in sixty digits, is 2.000000000000000079 discs.
+    let set = [
+        [2.051948985515897, -1.6647148553587314],
+        [0.29999999999999993, -0.7000000000000001],
+        [0.3, -0.7],
+    ];
+    let mut coverage = Coverage::new(1.0).unwrap();
+    coverage.extend(set.as_flattened(), &mut [0.0; 3]).unwrap();
+    let measure = coverage.measure();
+    assert!((measure / PI - 2.0).abs() < 1e-14, "{} discs too many", measure / PI - 2.0);
+}

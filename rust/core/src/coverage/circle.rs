@@ -78,6 +78,19 @@ impl Arc {
     }
 }
 
+/// A stored disc, seen from a new centre.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Neighbour {
+    pub disc: u32,
+    /// Its centre.
+    pub x: f64,
+    pub y: f64,
+    /// Its centre relative to the new one, in units of the radius, and that squared.
+    pub dx: f64,
+    pub dy: f64,
+    pub squared: f64,
+}
+
 /// How another circle of the same radius overlaps the one at the origin.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Contact {
@@ -88,15 +101,14 @@ pub(crate) struct Contact {
 }
 
 impl Contact {
-    /// The contact with a disc whose centre lies at (`dx`, `dy`), all in units of the radius.
-    ///
-    /// `squared` is dx^2 + dy^2, which is positive. None if the discs do not overlap.
+    /// The contact with another disc; None if the two do not overlap.
     #[inline]
-    pub fn with(dx: f64, dy: f64, squared: f64) -> Option<Self> {
+    pub fn with(other: &Neighbour, (x, y): (f64, f64), tau: f64) -> Option<Self> {
+        let Neighbour { dx, dy, squared, .. } = *other;
         let distance = squared.sqrt();
         let cosine = 0.5 * distance;
         let sine_squared = if squared > NEARLY_TANGENT {
-            0.25 * four_minus_squared_norm(dx, dy)
+            0.25 * four_minus_squared_distance((other.x, other.y), (x, y), tau)
         } else {
             (1.0 - cosine) * (1.0 + cosine)
         };
@@ -127,12 +139,16 @@ const NEARLY_TANGENT: f64 = 4.0 - 1e-4;
 /// below 1e-38, and crossings closer together than 1e-13 rad could not be told in order.
 const TOUCHING: f64 = 1e-26;
 
-/// 4 - dx^2 - dy^2 to full relative precision, by exact products and sums of two numbers.
-fn four_minus_squared_norm(dx: f64, dy: f64) -> f64 {
+/// 4 - d^2 to full relative precision, where d is the distance of two points in units of `tau`
+/// and near 2: from the points themselves, since a rounded difference is as bad as a rounded square.
+fn four_minus_squared_distance(a: (f64, f64), b: (f64, f64), tau: f64) -> f64 {
+    let ((dx, dx_rest), (dy, dy_rest)) = (exact_sum(a.0, -b.0), exact_sum(a.1, -b.1));
     let ((xx, xx_rest), (yy, yy_rest)) = (exact_square(dx), exact_square(dy));
+    let (tau_squared, tau_squared_rest) = exact_square(tau);
     let (sum, sum_rest) = exact_sum(xx, yy);
-    // `sum` is within a factor 2 of 4: the difference is exact.
-    (4.0 - sum) - (sum_rest + (xx_rest + yy_rest))
+    let rest = (sum_rest + (xx_rest + yy_rest)) + 2.0 * (dx * dx_rest + dy * dy_rest);
+    // `sum` is within a factor 2 of 4 tau^2: the difference is exact.
+    ((4.0 * tau_squared - sum) + (4.0 * tau_squared_rest - rest)) / tau_squared
 }
 
 /// a^2 as a rounded product and its rounding error (Dekker).
@@ -178,17 +194,23 @@ mod tests {
     }
 
     #[test]
-    fn nearly_tangent_circles_cross_where_they_should() {
-        // Centres 2 cos(h) apart cross at +-h: for small h, 4 - d^2 is 4 h^2 to rounding.
+    fn four_minus_squared_distance_keeps_its_digits() {
         for exponent in 3..7 {
-            let h = 10_f64.powi(-exponent);
-            let distance = 2.0 * h.cos();
-            let exact = (2.0 - distance) * (2.0 + distance); // both factors are exact
-            let found = four_minus_squared_norm(distance * 0.6, distance * 0.8);
-            // 0.6 and 0.8 are rounded themselves; the products' errors count, not ours.
-            assert!((found - exact).abs() <= 8.0 * f64::EPSILON, "{h}");
-            assert_eq!(four_minus_squared_norm(distance, 0.0), exact);
+            // 2 - distance and 2 + distance are exact, and so are these coordinates' differences.
+            let distance = 2.0 * 10_f64.powi(-exponent).cos();
+            let exact = (2.0 - distance) * (2.0 + distance);
+            let found = four_minus_squared_distance((distance - 0.5, 7.0), (-0.5, 7.0), 1.0);
+            assert!((found / exact - 1.0).abs() < 4.0 * f64::EPSILON, "{exponent}");
         }
-        assert!(Contact::with(2.0, 0.0, 4.0).is_none());
+        // By hand: 4 - e^2 - (2 - 2 e)^2.
+        let e = f64::EPSILON;
+        let found = four_minus_squared_distance((e, 2.0 - 2.0 * e), (0.0, 0.0), 1.0);
+        assert_eq!(found, 8.0 * e - 5.0 * e * e);
+    }
+
+    #[test]
+    fn discs_that_touch_are_no_contact() {
+        let other = Neighbour { disc: 0, x: 2.0, y: 0.0, dx: 2.0, dy: 0.0, squared: 4.0 };
+        assert!(Contact::with(&other, (0.0, 0.0), 1.0).is_none());
     }
 }

@@ -17,7 +17,7 @@ mod grid;
 use smallvec::SmallVec;
 
 use crate::error::{Error, check_finite, check_length, check_rows};
-use circle::{Arc, Contact, Direction};
+use circle::{Arc, Contact, Direction, Neighbour};
 use grid::{Entry, Grid};
 
 /// The union of the discs of radius tau around effects in the plane.
@@ -30,15 +30,6 @@ pub struct Coverage {
     exposed: Vec<SmallVec<[Arc; 2]>>,
     grid: Grid,
     survey: Survey,
-}
-
-/// A stored disc, seen from a new centre in units of the radius.
-#[derive(Debug, Clone, Copy, Default)]
-struct Neighbour {
-    disc: u32,
-    dx: f64,
-    dy: f64,
-    squared: f64,
 }
 
 /// What a new disc would change. Kept between calls for its memory alone.
@@ -174,12 +165,12 @@ impl Coverage {
             return; // a duplicate: nothing changes
         }
         for index in 0..survey.neighbours.len() {
-            let Neighbour { disc, dx, dy, squared } = survey.neighbours[index];
-            let Some(contact) = Contact::with(dx, dy, squared) else { continue };
+            let other = survey.neighbours[index];
+            let Some(contact) = Contact::with(&other, (x, y), *tau) else { continue };
             survey.cover(contact);
-            let arcs = &exposed[disc as usize];
+            let arcs = &exposed[other.disc as usize];
             if !arcs.is_empty() {
-                survey.swallow(disc, arcs, contact, (dx, dy));
+                survey.swallow(other.disc, arcs, contact, (other.dx, other.dy));
             }
         }
         survey.expose();
@@ -239,7 +230,8 @@ impl Survey {
             for entry in cell {
                 let (dx, dy) = ((entry.x - x) / tau, (entry.y - y) / tau);
                 let squared = dx * dx + dy * dy;
-                self.neighbours[end] = Neighbour { disc: entry.disc, dx, dy, squared };
+                let Entry { x, y, disc } = *entry;
+                self.neighbours[end] = Neighbour { disc, x, y, dx, dy, squared };
                 // 4 but for rounding; what lies between, the contact decides precisely.
                 end += usize::from(squared <= 4.000_000_000_001);
             }

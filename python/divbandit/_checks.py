@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import operator
+import sys
+from numbers import Integral, Real
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,21 +18,25 @@ if TYPE_CHECKING:
 
 def real(name: str, value: object, *, low: float = -math.inf, high: float = math.inf) -> float:
     """Return `value` as a finite float in [low, high], or say what is wrong with it."""
-    if isinstance(value, (bool, str, bytes)) or not hasattr(value, "__float__"):
+    if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{name} must be a number, got {type(value).__name__}")
-    number = float(value)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
     if not (math.isfinite(number) and low <= number <= high):
         raise ValueError(f"{name} must be a finite number in [{low}, {high}], got {value!r}")
     return number
 
 
-def whole(name: str, value: object, *, low: int, high: int | None = None) -> int:
+def whole(name: str, value: object, *, low: int, high: int = sys.maxsize) -> int:
     """Return `value` as an int in [low, high], or say what is wrong with it."""
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
+    # A plain int, the most common case, needs no look into the register of numbers.
+    if type(value) is not int and (isinstance(value, bool) or not isinstance(value, Integral)):
         raise TypeError(f"{name} must be a whole number, got {type(value).__name__}")
     number = operator.index(value)
-    if number < low or (high is not None and number > high):
-        bounds = f"at least {low}" if high is None else f"from {low} to {high}"
+    if not low <= number <= high:
+        bounds = f"at least {low}" if high == sys.maxsize else f"from {low} to {high}"
         raise ValueError(f"{name} must be {bounds}, got {number}")
     return number
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 
 from divbandit import _core
+from divbandit._checks import whole
 from divbandit.box import Box, BoxLike
 
 if TYPE_CHECKING:
@@ -110,10 +111,12 @@ class History:
             ...
         ValueError: effect must have shape (1,), got (2,)
         """
+        if not isinstance(path, tuple):
+            raise TypeError(f"path must be a tuple of indices, got {type(path).__name__}")
         self.record(
             self.motor_space.bounds.command(command),
             _core.as_point("effect", effect, self.effect_dim),
-            path,
+            tuple(whole(f"path[{i}]", index, low=0) for i, index in enumerate(path)),
         )
 
     def record(
@@ -175,7 +178,8 @@ class History:
         >>> history.nearest([8.5])
         (0.5, 1)
         """
-        return self._observed().nearest(goal, k=k)
+        tree = self._observed()
+        return tree.nearest(_core.as_point("goal", goal, tree.dim), k=k)
 
     def inverse(self, goal: ArrayLike, rng: Generator, *, d: float = 0.05) -> NDArray[np.float64]:
         """Inverse_d(goal): the command of the nearest effect, perturbed.
@@ -228,6 +232,10 @@ class History:
         elif missing > 1:
             tree.extend(self._effects[known : known + missing])
         return tree
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leave out the k-d tree: it is made anew from the log."""
+        return {**self.__dict__, "_tree": None}
 
     def __repr__(self) -> str:
         return f"<History of {len(self)} evaluations, {self.motor_space.dim} -> {self.effect_dim}>"

@@ -78,13 +78,13 @@ def test_gains_diminish(points, more, new, tau):
 
 @given(effects, radius, st.integers(-1000, 1000), st.integers(-1000, 1000))
 def test_translation_changes_nothing_but_rounding(points, tau, x, y):
-    moved = np.array(points) + [x / 16, y / 16]
+    moved = np.array(points) + np.array([x, y]) / 16
     assert db.coverage(moved, tau) == pytest.approx(db.coverage(points, tau), rel=1e-6)
 
 
 @given(st.lists(st.tuples(dyadic, dyadic), min_size=1, max_size=25), radius, dyadic, dyadic)
 def test_translation_without_rounding_changes_no_bit(points, tau, x, y):
-    moved = np.array(points) + [1024 * x, 1024 * y]
+    moved = np.array(points) + 1024 * np.array([x, y])
     assert db.Coverage(tau).extend(moved).tolist() == db.Coverage(tau).extend(points).tolist()
 
 

@@ -4,7 +4,7 @@ The plane is cut along the vertical lines through each disc's leftmost and right
 through each point that two circles have in common. Within a slice no two arcs cross, so the
 merged vertical sections are bounded by the same arcs throughout, and each arc's integral is
 elementary. Circles are only ever met as graphs y = cy +- sqrt(tau^2 - (x - cx)^2): no angles,
-no boundary walk.
+no boundary walk. Where discs touch but for rounding, rounding decides which slices there are.
 """
 
 import math

@@ -78,7 +78,7 @@ class Adapt(Composite):
     def _forget(self) -> None:
         """Begin anew: nothing covered, only head starts in the windows."""
         ball = math.pi * self.tau * self.tau
-        self._coverage = Coverage(self.tau)
+        self._coverage: Coverage | None = None
         self._windows = [
             GainWindow(self.window, head_start=ball, count=self.head_start) for _ in self.strategies
         ]
@@ -92,7 +92,7 @@ class Adapt(Composite):
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:
         """Require effects in the plane, where the gain is exact."""
         super().check(motor_space, effect_dim, has_goals=has_goals)
-        if effect_dim is not None and effect_dim != self._coverage.dim:
+        if effect_dim is not None and effect_dim != 2:
             raise ValueError(f"effects must have dimension 2 for Adapt, got {effect_dim}")
 
     def choose(self, history: History, rng: Generator) -> int:
@@ -120,13 +120,15 @@ class Adapt(Composite):
         Where Adapt is a part of another strategy it is told of its own trials alone; the others'
         effects are in the history, and are added first.
         """
-        covered = len(self._coverage)
-        observed = covered if self._history is None else len(self._history)
-        if self._history is None or observed == covered:
+        if self._coverage is None:
+            self._coverage = Coverage(self.tau)
+        coverage, history = self._coverage, self._history
+        covered = len(coverage)
+        if history is None or len(history) == covered:
             raise ValueError("effect must be in the history before Adapt observes it")
-        if observed > covered + 1:
-            self._coverage.extend(self._history.effects[covered : observed - 1])
-        return self._coverage.add(effect)
+        if len(history) > covered + 1:
+            coverage.extend(history.effects[covered:-1])
+        return coverage.add(effect)
 
     def __repr__(self) -> str:
         return (

@@ -83,11 +83,16 @@ class FunctionEnvironment:
         array([[1.],
                [2.]])
         """
-        if np.ndim(command) == 2:
-            return np.stack([self(row) for row in np.asarray(command)])
-        effect = self._f(self.motor_space.bounds.command(command))
+        commands = self.motor_space.bounds.commands(command)
         length = None if self.sensory_space is None else self.sensory_space.dim
-        return as_point("effect", effect, length)
+        if commands.ndim == 1:
+            return as_point("effect", self._f(commands), length)
+        effects = []
+        for row in commands:
+            effect = as_point("effect", self._f(row), length)
+            length = len(effect)
+            effects.append(effect)
+        return np.stack(effects) if effects else np.empty((0, length or 0))
 
     def __repr__(self) -> str:
         name = getattr(self._f, "__name__", repr(self._f))

@@ -56,7 +56,8 @@ class PlanarArm:
 
     def __init__(self, joints: int = 20, *, limit: float = math.radians(150)) -> None:
         self._kernel = _core.PlanarArm(joints, limit)
-        self.motor_space = Box([-limit] * joints, [limit] * joints)
+        angles = [self._kernel.limit] * self._kernel.joints
+        self.motor_space = Box([-angle for angle in angles], angles)
         self.sensory_space = Box([-1, -1], [1, 1])
 
     @property

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import os
-import tempfile
-import zipfile
-import zlib
+import secrets
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -61,7 +59,22 @@ class Exploration:
     def from_history(
         cls, history: History, beliefs: Sequence[tuple[float, ...] | None]
     ) -> Exploration:
-        """Take a copy of a history and of what the bandit believed at each of its steps."""
+        """Take a copy of a history and of what the bandit believed at each of its steps.
+
+        Parameters
+        ----------
+        history : History
+        beliefs : sequence
+            The diversities before each step, or None.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.5], [7.0], path=(1, 0))
+        >>> db.Exploration.from_history(history, [(0.5, 0.25)]).paths
+        array([[1, 0]])
+        """
         depth = max((len(path) for path in history.paths), default=0)
         paths = np.full((len(history), depth), -1, dtype=np.int64)
         for row, path in zip(paths, history.paths, strict=True):
@@ -140,7 +153,6 @@ class Exploration:
         True
         """
         arrays: dict[str, NDArray[Any]] = {
-            "format": np.array([_FORMAT, str(_VERSION)]),
             "motor_space": np.array([self.motor_space.low, self.motor_space.high]),
             "commands": self.commands,
             "effects": self.effects,
@@ -151,14 +163,16 @@ class Exploration:
             arrays["sensory_space"] = np.array([box.low, box.high])
         if self.diversities is not None:
             arrays["diversities"] = self.diversities
+        # The names come first, so that nothing can go missing unnoticed.
+        arrays = {"format": np.array([_FORMAT, str(_VERSION), *arrays]), **arrays}
         target = Path(path)
-        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+        temporary = target.with_name(f".{target.name}.{secrets.token_hex(8)}")
         try:
-            with os.fdopen(handle, "wb") as file:
+            with temporary.open("xb") as file:
                 np.savez_compressed(file, **cast("Any", arrays))
-            Path(temporary).replace(target)
+            temporary.replace(target)
         except BaseException:
-            Path(temporary).unlink(missing_ok=True)
+            temporary.unlink(missing_ok=True)
             raise
 
     @classmethod
@@ -188,15 +202,7 @@ class Exploration:
             try:
                 with np.load(file, allow_pickle=False) as saved:
                     return cls._from_arrays(dict(saved.items()))
-            except (
-                AttributeError,
-                EOFError,
-                KeyError,
-                TypeError,
-                ValueError,
-                zipfile.BadZipFile,
-                zlib.error,
-            ) as error:
+            except Exception as error:  # a damaged file can break its readers in any way
                 raise ValueError(
                     f"path must be a file written by Exploration.save, got {os.fspath(path)!r}: "
                     f"{error}"
@@ -205,9 +211,11 @@ class Exploration:
     @classmethod
     def _from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Exploration:
         """Rebuild from the arrays of a file, which may hold anything."""
-        name, version = (str(word) for word in arrays["format"])
+        name, version, *names = (str(word) for word in arrays["format"])
         if name != _FORMAT or int(version) != _VERSION:
             raise ValueError(f"format must be {_FORMAT!r} {_VERSION}, got {name!r} {version}")
+        if {"format", *names} != set(arrays):
+            raise ValueError(f"arrays must be {names}, got {sorted(arrays)}")
         motor_space = Box(*_array(arrays, "motor_space", np.float64, (2, None)))
         sensory_space = None
         if "sensory_space" in arrays:

@@ -111,6 +111,14 @@ class Strategy(ABC):
         -------
         array_like, shape (m,), or Trial
             A point of ``history.motor_space``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> db.MotorBabbling().propose(history, np.random.default_rng(0)).command
+        array([0.63696169])
         """
 
     def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:  # noqa: B027
@@ -121,6 +129,17 @@ class Strategy(ABC):
         trial : Trial
             The very one that `propose` returned (made from its command if it returned that).
         effect : numpy.ndarray, shape (s,)
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> class Watchful(db.MotorBabbling):
+        ...     best = -1.0
+        ...     def observe(self, trial, effect):
+        ...         Watchful.best = max(Watchful.best, float(effect[0]))
+        >>> run = db.explore(db.PlanarArm(3), Watchful(), n=10, rng=0)
+        >>> bool(Watchful.best == run.effects[:, 0].max())
+        True
         """
 
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:  # noqa: B027
@@ -135,6 +154,14 @@ class Strategy(ABC):
             Dimension of the effects; None if it is not known yet.
         has_goals : bool
             Whether the environment names a sensory space from which goals can be drawn.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.GoalBabbling().check(db.Box([0], [1]), 2, has_goals=False)
+        Traceback (most recent call last):
+            ...
+        ValueError: goals must be given to GoalBabbling: the environment has no sensory space
         """
 
     @property

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import TYPE_CHECKING
 
+from divbandit._checks import whole
 from divbandit.strategies.base import Strategy, Trial
 
 if TYPE_CHECKING:
@@ -73,11 +74,19 @@ class Composite(Strategy):
         ----------
         history : History
         rng : numpy.random.Generator
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> mixture = db.Mixture([db.MotorBabbling(), db.GoalBabbling(0.05)], weights=[0, 1])
+        >>> mixture.choose(db.History(db.Box([0], [1])), np.random.default_rng(0))
+        1
         """
 
     def propose(self, history: History, rng: Generator) -> Trial:
         """Let the chosen strategy propose."""
-        index = self.choose(history, rng)
+        index = whole("choose()", self.choose(history, rng), low=0, high=len(self.strategies) - 1)
         return Trial.of(self.strategies[index].propose(history, rng)).proposed_by(index)
 
     def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:

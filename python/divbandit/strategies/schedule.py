@@ -46,7 +46,10 @@ class Schedule(Composite):
             pairs = [(steps, strategy) for steps, strategy in phases]
         except (TypeError, ValueError):
             raise TypeError("phases must be pairs (steps, strategy)") from None
-        super().__init__(strategy for _, strategy in pairs)
+        try:
+            super().__init__(strategy for _, strategy in pairs)
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"phases: {error}") from None
         for index, (steps, _) in enumerate(pairs):
             if steps is not None:
                 whole(f"phases[{index}].steps", steps, low=1)

@@ -3,7 +3,6 @@
 
 use std::f64::consts::PI;
 use std::hint::black_box;
-use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use divbandit_core::PlanarArm;
@@ -11,6 +10,7 @@ use nalgebra::{Isometry2, Point2, Translation2, Vector2};
 
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
+mod settings;
 
 const LIMIT: f64 = 150.0 / 180.0 * PI;
 const BATCH: usize = 10_000;
@@ -71,14 +71,5 @@ fn kinematics(criterion: &mut Criterion) {
     }
 }
 
-fn quick() -> Criterion {
-    let [warm_up, measurement] = [100, 400].map(Duration::from_millis);
-    Criterion::default()
-        .sample_size(10)
-        .nresamples(1000)
-        .warm_up_time(warm_up)
-        .measurement_time(measurement)
-}
-
-criterion_group!(name = benches; config = quick(); targets = kinematics);
+criterion_group!(name = benches; config = settings::quick(); targets = kinematics);
 criterion_main!(benches);

@@ -3,7 +3,6 @@
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
-use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use divbandit_core::Coverage;
@@ -13,6 +12,7 @@ use parry2d_f64::partitioning::Bvh;
 
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
+mod settings;
 
 const N: usize = 10_000;
 
@@ -89,14 +89,5 @@ fn gains(criterion: &mut Criterion) {
     }
 }
 
-fn quick() -> Criterion {
-    let [warm_up, measurement] = [100, 400].map(Duration::from_millis);
-    Criterion::default()
-        .sample_size(10)
-        .nresamples(1000)
-        .warm_up_time(warm_up)
-        .measurement_time(measurement)
-}
-
-criterion_group!(name = benches; config = quick(); targets = gains);
+criterion_group!(name = benches; config = settings::quick(); targets = gains);
 criterion_main!(benches);

@@ -1,13 +1,13 @@
 //! The inverse model: from a goal to a command, over the number of effects observed.
 
 use std::hint::black_box;
-use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use divbandit_core::{Bounds, NearestNeighbors, PlanarArm, inverse};
 
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
+mod settings;
 
 const JOINTS: usize = 20;
 const LIMIT: f64 = 2.6;
@@ -39,14 +39,5 @@ fn goals_to_commands(criterion: &mut Criterion) {
     }
 }
 
-fn quick() -> Criterion {
-    let [warm_up, measurement] = [100, 400].map(Duration::from_millis);
-    Criterion::default()
-        .sample_size(10)
-        .nresamples(1000)
-        .warm_up_time(warm_up)
-        .measurement_time(measurement)
-}
-
-criterion_group!(name = benches; config = quick(); targets = goals_to_commands);
+criterion_group!(name = benches; config = settings::quick(); targets = goals_to_commands);
 criterion_main!(benches);

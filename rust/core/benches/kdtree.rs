@@ -1,7 +1,6 @@
 //! Insertion one by one and the nearest point, beside parry's tree of bounding boxes.
 
 use std::hint::black_box;
-use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use divbandit_core::NearestNeighbors;
@@ -11,6 +10,7 @@ use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
+mod settings;
 
 const QUERIES: usize = 1000;
 
@@ -100,14 +100,5 @@ fn trees(criterion: &mut Criterion) {
     }
 }
 
-fn quick() -> Criterion {
-    let times = [100, 300].map(Duration::from_millis);
-    Criterion::default()
-        .sample_size(10)
-        .nresamples(1000)
-        .warm_up_time(times[0])
-        .measurement_time(times[1])
-}
-
-criterion_group!(name = benches; config = quick(); targets = trees);
+criterion_group!(name = benches; config = settings::quick(); targets = trees);
 criterion_main!(benches);

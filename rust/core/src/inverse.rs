@@ -2,7 +2,7 @@
 //! nearest to the goal, perturbed.
 
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::{Error, check_length};
+use crate::error::{Error, check_finite, check_length};
 use crate::kdtree::NearestNeighbors;
 
 /// A command likely to bring about an effect near `goal`.
@@ -21,6 +21,8 @@ pub fn inverse(
     motor_space: &Bounds,
     stream: &mut impl UniformStream,
 ) -> Result<Vec<f64>, Error> {
+    check_length("goal", goal, effects.dim())?;
+    check_finite("goal", goal, goal.len())?;
     let m = motor_space.dim();
     check_length("commands", commands, effects.len() * m)?;
     let (_, index) = effects.nearest(goal)?;

@@ -7,7 +7,8 @@ use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedA
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyInt};
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyBool, PyFloat, PyInt, PyType};
 
 /// A borrowed, C-contiguous array of float64.
 pub(crate) struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
@@ -18,29 +19,30 @@ impl<'py> Floats<'py> {
         if let Ok(array) = value.cast::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
         {
-            return borrow(name, array);
+            let floats = borrow(name, array)?;
+            // An array may also be misaligned: then there is no slice, and a copy is made below.
+            if floats.0.as_slice().is_ok() {
+                return Ok(floats);
+            }
         }
-        let numpy = value.py().import(intern!(value.py(), "numpy"))?;
-        let array = numpy.call_method1(intern!(value.py(), "asarray"), (value,)).map_err(|_| {
-            PyTypeError::new_err(format!(
-                "{name} must be an array of real numbers, got {}",
-                kind(value)
-            ))
-        })?;
-        let dtype = array.getattr(intern!(value.py(), "dtype"))?;
-        let dtype_kind: String = dtype.getattr(intern!(value.py(), "kind"))?.extract()?;
+        let refused = |detail: String| {
+            PyTypeError::new_err(format!("{name} must be an array of real numbers, got {detail}"))
+        };
+        let py = value.py();
+        let numpy = py.import(intern!(py, "numpy"))?;
+        let array = numpy
+            .call_method1(intern!(py, "asarray"), (value,))
+            .map_err(|_| refused(kind(value)))?;
+        let dtype = array.getattr(intern!(py, "dtype"))?;
+        let dtype_kind: String = dtype.getattr(intern!(py, "kind"))?.extract()?;
         if !matches!(dtype_kind.as_str(), "f" | "i" | "u") {
-            return Err(PyTypeError::new_err(format!(
-                "{name} must be an array of real numbers, got {} of dtype {dtype}",
-                kind(value)
-            )));
+            return Err(refused(format!("{} of dtype {dtype}", kind(value))));
         }
-        let options = PyDict::new(value.py());
-        options.set_item("dtype", "float64")?;
-        let array = numpy.call_method("ascontiguousarray", (array,), Some(&options))?;
-        match array.cast::<PyArrayDyn<f64>>() {
+        // C-contiguous, aligned, and a plain array rather than a subclass of it.
+        let plain = numpy.call_method1(intern!(py, "require"), (array, "float64", "CAE"))?;
+        match plain.cast::<PyArrayDyn<f64>>() {
             Ok(array) => borrow(name, array),
-            Err(_) => Err(PyTypeError::new_err(format!("{name} must be an array of real numbers"))),
+            Err(_) => Err(refused(kind(value))),
         }
     }
 
@@ -110,35 +112,42 @@ fn kind(value: &Bound<'_, PyAny>) -> String {
     value.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string())
 }
 
-/// Reads a real number that is not a boolean.
+/// Reads a real number: what Python or NumPy registers as one, except booleans.
 pub(crate) fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
-    if value.is_instance_of::<PyBool>() {
-        return Err(PyTypeError::new_err(format!("{name} must be a number, got bool")));
+    static REAL: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let py = value.py();
+    let is_real = value.is_instance_of::<PyFloat>()
+        || (value.is_instance(REAL.import(py, "numbers", "Real")?)?
+            && !value.is_instance_of::<PyBool>());
+    if !is_real {
+        let got = kind(value);
+        return Err(PyTypeError::new_err(format!("{name} must be a number, got {got}")));
     }
     value.extract::<f64>().map_err(|error| {
-        if error.is_instance_of::<PyOverflowError>(value.py()) {
+        if error.is_instance_of::<PyOverflowError>(py) {
             PyValueError::new_err(format!("{name} must be a finite number, got one too large"))
         } else {
-            PyTypeError::new_err(format!("{name} must be a number, got {}", kind(value)))
+            error
         }
     })
 }
 
-/// Reads a count: a whole number from 0 on.
+/// Reads a count: what Python or NumPy registers as a whole number, except booleans, from 0 on.
 pub(crate) fn count(name: &str, value: &Bound<'_, PyAny>) -> PyResult<usize> {
-    let index = value.call_method0(intern!(value.py(), "__index__"));
-    match index {
-        Ok(whole) if !value.is_instance_of::<PyBool>() && whole.is_instance_of::<PyInt>() => {
-            whole.extract::<usize>().map_err(|_| {
-                PyValueError::new_err(format!(
-                    "{name} must be at least 0 and fit a machine word, got {whole}"
-                ))
-            })
-        }
-        _ => {
-            Err(PyTypeError::new_err(format!("{name} must be a whole number, got {}", kind(value))))
-        }
+    static INTEGRAL: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let py = value.py();
+    let is_whole = !value.is_instance_of::<PyBool>()
+        && (value.is_instance_of::<PyInt>()
+            || value.is_instance(INTEGRAL.import(py, "numbers", "Integral")?)?);
+    if !is_whole {
+        let got = kind(value);
+        return Err(PyTypeError::new_err(format!("{name} must be a whole number, got {got}")));
     }
+    value.extract::<usize>().map_err(|_| {
+        PyValueError::new_err(format!(
+            "{name} must be at least 0 and fit a machine word, got {value}"
+        ))
+    })
 }
 
 /// A new array that cannot be written to.

@@ -1,7 +1,7 @@
 //! Binding of boxes and of the draws made in them.
 
 use divbandit_core::Bounds;
-use numpy::PyArray1;
+use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::arrays::{Floats, number, read_only};
@@ -60,6 +60,24 @@ impl PyBounds {
             .perturb(parent.slice()?, d, &mut NumpyStream::lock(rng)?)
             .map_err(value_error)?;
         read_only(rng.py(), &command)
+    }
+
+    /// A read-only copy of one command (dim,) or of many (n, dim), all of them in the box.
+    fn commands<'py>(&self, command: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let floats = Floats::either("command", command, self.0.dim())?;
+        let values = floats.slice()?;
+        for row in values.chunks_exact(self.0.dim()) {
+            self.0.check("command", row).map_err(value_error)?;
+        }
+        let copy = read_only(command.py(), values)?;
+        if !floats.is_batch() {
+            return Ok(copy.into_any());
+        }
+        Ok(copy.reshape([values.len() / self.0.dim(), self.0.dim()])?.into_any())
+    }
+
+    fn __getnewargs__(&self) -> (Vec<f64>, Vec<f64>) {
+        (self.0.low().to_vec(), self.0.high().to_vec())
     }
 
     /// A read-only copy of `command`, which must lie in the box.

@@ -195,7 +195,7 @@ impl PyCoverage {
 /// --------
 /// >>> import divbandit as db
 /// >>> db.coverage([[0, 0], [1, 0]], 1.0)
-/// 5.054815608569
+/// 5.05481560857083
 #[pyfunction]
 pub(crate) fn coverage(
     py: Python<'_>,

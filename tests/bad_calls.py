@@ -1,0 +1,112 @@
+"""Every public entry point, its arguments, and what is passed for each by mistake."""
+
+import math
+
+import divbandit as db
+from tests.bad_values import (
+    COUNTS,
+    NOT_GENERATORS,
+    NOT_PHASES,
+    NOT_SEEDS,
+    NOT_STRATEGIES,
+    NOT_WEIGHTS,
+    NUMBERS,
+    WRONG_SPACES,
+    points,
+    rows,
+)
+from tests.world import InTurn
+
+RMB, Function, Tree = db.MotorBabbling(), db.FunctionEnvironment, db.NearestNeighbors
+
+
+def without(values, *names):
+    return {name: value for name, value in values.items() if name not in names}
+
+
+POINTS, ROWS = points(2), rows(2)
+NONE = {"None": None}
+NOT_SPACES = WRONG_SPACES | NONE
+BATCH = POINTS | {"a bad row": [[0, 0], [math.nan, 0]], "a row beyond": [[0, 0], [2, 0]]}
+SIZED = without(POINTS, "too short", "too long")
+CORNERS = without(points(1), "empty", "too short", "too long")
+POSITIVE = NUMBERS | {"zero": 0.0, "below zero": -0.1}
+SHARE = NUMBERS | {"below zero": -1e-9, "above one": 1 + 1e-9}
+FROM_1 = COUNTS | {"zero": 0}
+HUGE = {"huge": 2**63, "very huge": 10**30}
+BEYOND = {"beyond": [0.0, 1.5]}
+PATHS = {"text": "ab", "a number": 1, "None": None, "floats": (0.5,), "negative": (-1,)}
+NOT_TRIALS = {"None": None, "a command": [0.0, 0.0], "text": "ab"}
+NOT_WORLDS = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "an object": object()}
+NOT_ONE = {"None": None, "a class": db.MotorBabbling, "text": "ab", "a list": [RMB]}
+
+# (what is called, the argument, what is passed, how)
+TABLE = [
+    ("PlanarArm", "joints", FROM_1 | HUGE | NONE, lambda _, x: db.PlanarArm(x)),
+    ("PlanarArm", "limit", POSITIVE | {"1e7": 1e7}, lambda _, x: db.PlanarArm(2, limit=x)),
+    ("arm()", "command", BATCH | BEYOND, lambda w, x: w.arm(x)),
+    ("arm.posture", "command", POINTS | BEYOND, lambda w, x: w.arm.posture(x)),
+    ("Function", "f", {"None": None, "7": 7}, lambda w, x: Function(x, w.box)),
+    ("Function", "motor_space", NOT_SPACES, lambda _, x: Function(abs, x)),
+    ("Function", "sensory_space", WRONG_SPACES, lambda w, x: Function(abs, w.box, x)),
+    ("environment()", "command", BATCH | BEYOND, lambda w, x: w.environment(x)),
+    ("Box", "low", CORNERS | {"above high": [1.5]}, lambda _, x: db.Box(x, [1.0])),
+    ("Box", "low", {"empty": []}, lambda _, x: db.Box(x, x)),
+    ("Box", "high", POINTS, lambda _, x: db.Box([-1.0, -1.0], x)),
+    ("Box.of", "box", NOT_SPACES, lambda _, x: db.Box.of(x)),
+    ("Box.of", "goals", NOT_SPACES, lambda _, x: db.Box.of(x, name="goals")),
+    ("Box.sample", "rng", NOT_GENERATORS, lambda w, x: w.box.sample(x)),
+    ("Box.contains", "point", POINTS, lambda w, x: w.box.contains(x)),
+    ("GoalBabbling", "d", SHARE, lambda _, x: db.GoalBabbling(x)),
+    ("GoalBabbling", "goals", WRONG_SPACES, lambda _, x: db.GoalBabbling(goals=x)),
+    ("Mixture", "strategies", NOT_STRATEGIES, lambda _, x: db.Mixture(x)),
+    ("Mixture", "weights", NOT_WEIGHTS, lambda _, x: db.Mixture([RMB, RMB], weights=x)),
+    ("Schedule", "phases", NOT_PHASES, lambda _, x: db.Schedule(x)),
+    ("Adapt", "strategies", NOT_STRATEGIES, lambda _, x: db.Adapt(x)),
+    ("Adapt", "tau", POSITIVE, lambda _, x: db.Adapt([RMB], tau=x)),
+    ("Adapt", "window", FROM_1 | HUGE | NONE, lambda _, x: db.Adapt([RMB], window=x)),
+    ("Adapt", "alpha", SHARE, lambda _, x: db.Adapt([RMB], alpha=x)),
+    (
+        "Adapt",
+        "head_start",
+        COUNTS | HUGE | NONE | {"51": 51},
+        lambda _, x: db.Adapt([RMB], head_start=x),
+    ),
+    ("Composite", "strategies", NOT_STRATEGIES, lambda _, x: InTurn(x)),
+    ("explore", "environment", NOT_WORLDS, lambda w, x: db.explore(x, RMB, n=1, rng=w.rng)),
+    ("explore", "strategy", NOT_ONE, lambda w, x: db.explore(w.arm, x, n=1, rng=w.rng)),
+    ("explore", "n", FROM_1 | NONE, lambda w, x: db.explore(w.arm, RMB, n=x, rng=w.rng)),
+    ("explore", "rng", NOT_SEEDS, lambda w, x: db.explore(w.arm, RMB, n=1, rng=x)),
+    ("Explorer", "strategy", NOT_ONE, lambda w, x: db.Explorer(x, w.box)),
+    ("Explorer", "motor_space", NOT_SPACES, lambda _, x: db.Explorer(RMB, x)),
+    ("Explorer", "sensory_space", WRONG_SPACES, lambda w, x: db.Explorer(RMB, w.box, x)),
+    ("Explorer", "rng", NOT_SEEDS, lambda w, x: db.Explorer(RMB, w.box, rng=x)),
+    ("Explorer.tell", "trial", NOT_TRIALS, lambda w, x: w.explorer.tell(x, [0.0, 0.0])),
+    ("tell", "trial", {"by hand": 0}, lambda w, _: w.explorer.tell(w.by_hand, [0, 0])),
+    ("Explorer.tell", "effect", POINTS, lambda w, x: w.explorer.tell(w.trial, x)),
+    ("History", "motor_space", NOT_SPACES, lambda _, x: db.History(x)),
+    ("History", "sensory_space", WRONG_SPACES, lambda w, x: db.History(w.box, x)),
+    ("History.append", "command", POINTS | BEYOND, lambda w, x: w.history.append(x, [0.0, 0.0])),
+    ("History.append", "effect", POINTS, lambda w, x: w.history.append([0.0, 0.0], x)),
+    ("History().append", "effect", SIZED, lambda w, x: db.History(w.box).append([0.0, 0.0], x)),
+    ("History.append", "path", PATHS, lambda w, x: w.history.append([0, 0], [0, 0], path=x)),
+    ("History.nearest", "goal", POINTS, lambda w, x: w.history.nearest(x)),
+    ("History.nearest", "k", FROM_1 | HUGE | {"4": 4}, lambda w, x: w.history.nearest([0, 0], k=x)),
+    ("History.inverse", "goal", POINTS, lambda w, x: w.history.inverse(x, w.rng)),
+    ("History.inverse", "rng", NOT_GENERATORS, lambda w, x: w.history.inverse([0, 0], x)),
+    ("History.inverse", "d", SHARE, lambda w, x: w.history.inverse([0, 0], w.rng, d=x)),
+    ("Coverage", "tau", POSITIVE, lambda _, x: db.Coverage(x)),
+    ("Coverage", "dim", FROM_1 | HUGE | {"1": 1, "3": 3}, lambda _, x: db.Coverage(1.0, dim=x)),
+    ("Coverage.add", "effect", POINTS, lambda w, x: w.coverage.add(x)),
+    ("Coverage.gain", "effect", POINTS, lambda w, x: w.coverage.gain(x)),
+    ("Coverage.extend", "effects", ROWS, lambda w, x: w.coverage.extend(x)),
+    ("coverage", "effects", ROWS, lambda _, x: db.coverage(x, 1.0)),
+    ("coverage", "tau", POSITIVE, lambda _, x: db.coverage([[0.0, 0.0]], x)),
+    ("Tree", "dim", FROM_1 | NONE | {"huge": 2**64}, lambda _, x: Tree(x)),
+    ("Tree.add", "point", POINTS, lambda w, x: w.tree.add(x)),
+    ("Tree.extend", "points", ROWS, lambda w, x: w.tree.extend(x)),
+    ("Tree.nearest", "query", POINTS, lambda w, x: w.tree.nearest(x)),
+    ("Tree.nearest", "k", FROM_1 | HUGE | {"4": 4}, lambda w, x: w.tree.nearest([0, 0], k=x)),
+    ("Exploration.coverage", "tau", POSITIVE, lambda w, x: w.run.coverage(x)),
+    ("Exploration.load", "PathLike", {"None": None, "7": 7}, lambda _, x: db.Exploration.load(x)),
+]

@@ -1,0 +1,116 @@
+"""What Adapts believed at each step equals a plain replay of the log, at each level of nesting."""
+
+import numpy as np
+import pytest
+
+import divbandit as db
+from tests.reference.adapt_replay import replay
+
+ARM = db.PlanarArm(20)
+RMB, RGB = db.MotorBabbling, db.GoalBabbling
+
+
+def nested():
+    deep = db.Adapt([RMB(), RGB(0.5)], tau=0.05, window=3, head_start=2)
+    return db.Adapt(
+        [
+            db.Adapt([RMB(), RGB(0.05)], tau=0.1, window=7, alpha=0.2, head_start=0),
+            db.Adapt([RGB(0.001), deep], tau=0.02, window=1),
+            RMB(),
+        ],
+        tau=0.03,
+        window=20,
+    )
+
+
+FLAT = {
+    "the paper's": db.Adapt([RMB(), RGB(0.05)]),
+    "no head start": db.Adapt([RMB(), RGB(0.001)], window=10, head_start=0),
+    "a full head start": db.Adapt([RMB(), RGB(0.001)], window=4, head_start=4, alpha=0),
+    "coarse": db.Adapt([RGB(0.5), RGB(0.05), RMB()], tau=0.3, window=5, alpha=0.5),
+    "in the end": db.Adapt([RMB(), RGB(0.05)], window=10_000),
+}
+
+
+@pytest.mark.parametrize("adapt", FLAT.values(), ids=FLAT)
+def test_a_run_equals_its_replay(adapt):
+    run = db.explore(ARM, adapt, n=700, rng=0)
+    expected = replay(adapt, run.effects, [tuple(path) for path in run.paths])
+    assert run.diversities.tolist() == [list(belief) for belief in expected[:-1]]
+
+
+def test_a_nested_runs_outermost_beliefs_equal_their_replay():
+    adapt = nested()
+    run = db.explore(ARM, adapt, n=700, rng=1)
+    expected = replay(adapt, run.effects, run.paths.tolist())
+    assert run.diversities.tolist() == [list(belief) for belief in expected[:-1]]
+
+
+def levels(adapt, prefix=()):
+    """Yield each Adapt within and where it stands."""
+    yield prefix, adapt
+    for index, part in enumerate(adapt.strategies):
+        if isinstance(part, db.Adapt):
+            yield from levels(part, (*prefix, index))
+
+
+def driven(adapt, n, seed):
+    """Run the loop in plain sight: the history, and each level's beliefs after each step."""
+    history, rng = db.History(ARM.motor_space, ARM.sensory_space), np.random.default_rng(seed)
+    beliefs = {prefix: [part.diversities] for prefix, part in levels(adapt)}
+    for _ in range(n):
+        trial = adapt.propose(history, rng)
+        effect = ARM(trial.command)
+        history.append(trial.command, effect, path=trial.path)
+        adapt.observe(trial, effect)
+        for prefix, part in levels(adapt):
+            beliefs[prefix].append(part.diversities)
+    return history, beliefs
+
+
+def test_each_level_equals_its_own_replay():
+    adapt = nested()
+    history, beliefs = driven(adapt, n=700, seed=1)
+    assert set(beliefs) == {(), (0,), (1,), (1, 1)}
+    for prefix, part in levels(adapt):
+        assert beliefs[prefix] == replay(part, history.effects, history.paths, prefix)
+    own = [path for path in history.paths if path[:2] == (1, 1)]
+    assert len(own) > 20, "the innermost must have been chosen for this to tell anything"
+
+
+def test_the_loop_in_plain_sight_is_what_explore_does():
+    history, beliefs = driven(nested(), n=300, seed=2)
+    run = db.explore(ARM, nested(), n=300, rng=2)
+    assert run.commands.tolist() == history.commands.tolist()
+    assert run.effects.tolist() == history.effects.tolist()
+    assert run.diversities.tolist() == [list(belief) for belief in beliefs[()][:-1]]
+    trimmed = [tuple(index for index in path if index >= 0) for path in run.paths.tolist()]
+    assert trimmed == list(history.paths)
+
+
+def test_an_adapt_in_a_mixture_sees_what_the_others_covered():
+    adapt = db.Adapt([RMB(), RGB(0.05)], tau=0.1, window=5)
+    mixture = db.Mixture([adapt, RGB(0.5)])
+    history, rng = db.History(ARM.motor_space, ARM.sensory_space), np.random.default_rng(0)
+    for _ in range(400):
+        trial = mixture.propose(history, rng)
+        effect = ARM(trial.command)
+        history.append(trial.command, effect, path=trial.path)
+        mixture.observe(trial, effect)
+    assert adapt.diversities == replay(adapt, history.effects, history.paths, (0,))[-1]
+
+
+def test_answers_out_of_order_credit_whoever_asked():
+    """Effects count in the order told; each is credited to the strategy of its own trial."""
+    adapt = db.Adapt([RMB(), RGB(0.05)], window=5)
+    explorer = db.Explorer(adapt, ARM.motor_space, ARM.sensory_space, rng=3)
+    order, waiting = np.random.default_rng(0), []
+    for _ in range(300):
+        waiting.append(explorer.ask())
+        while len(waiting) > order.integers(8):
+            trial = waiting.pop(order.integers(len(waiting)))
+            explorer.tell(trial, ARM(trial.command))
+    trial, history = explorer.ask(), explorer.history
+    believed = replay(adapt, history.effects, history.paths)[-1]
+    explorer.tell(trial, ARM(trial.command))
+    assert explorer.result().diversities[-1].tolist() == list(believed)

@@ -1,0 +1,39 @@
+"""Every built-in strategy and many compositions of them, by what they are called in a test."""
+
+import divbandit as db
+
+
+def compositions():
+    """Return fresh strategies for an environment with a plane of effects."""
+    rmb, rgb = db.MotorBabbling, db.GoalBabbling
+    wide = db.Box([-2, -3], [2, 3])
+    return {
+        "motor babbling": rmb(),
+        "goal babbling": rgb(0.05),
+        "goal babbling, d = 0": rgb(0.0),
+        "goal babbling, d = 1": rgb(1),
+        "goal babbling, own goals": rgb(0.2, goals=wide),
+        "mixture": db.Mixture([rmb(), rgb(0.05)], weights=[0.3, 0.7]),
+        "mixture of one": db.Mixture([rgb(0.05)]),
+        "mixture of mixtures": db.Mixture(
+            [db.Mixture([rmb(), rgb(0.5)]), db.Mixture([rgb(0.001), rmb()], weights=[1, 0])]
+        ),
+        "schedule": db.Schedule([(10, rmb()), (None, rgb(0.05))]),
+        "schedule of schedules": db.Schedule(
+            [(7, db.Schedule([(3, rmb()), (2, rgb(0.1))])), (5, rgb(0.5)), (1, rmb())]
+        ),
+        "adapt": db.Adapt([rmb(), rgb(0.05)]),
+        "adapt, no head start": db.Adapt([rmb(), rgb(0.05)], head_start=0, window=5, alpha=0),
+        "adapt of one": db.Adapt([rmb()], tau=0.1, window=1, alpha=1),
+        "adapt of a schedule": db.Adapt([db.Schedule([(4, rmb()), (None, rgb(0.05))]), rgb(0.5)]),
+        "adapt of adapts": db.Adapt(
+            [db.Adapt([rmb(), rgb(0.5)], tau=0.1, window=7), db.Adapt([rgb(0.05), rgb(0.001)])],
+            tau=0.05,
+            window=11,
+        ),
+        "mixture of adapts": db.Mixture([db.Adapt([rmb(), rgb(0.05)]), rmb()]),
+        "schedule, then adapt": db.Schedule([(10, rmb()), (None, db.Adapt([rmb(), rgb(0.05)]))]),
+    }
+
+
+NAMES = tuple(compositions())

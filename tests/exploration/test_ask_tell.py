@@ -1,0 +1,139 @@
+"""An Explorer records what it is told, once, of its own trials, or nothing at all."""
+
+import math
+
+import numpy as np
+import pytest
+
+import divbandit as db
+
+ARM = db.PlanarArm(3)
+ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], window=5)
+
+
+def new_explorer(strategy=ADAPT, rng=0):
+    return db.Explorer(strategy, ARM.motor_space, ARM.sensory_space, rng=rng)
+
+
+def told(explorer):
+    result = explorer.result()
+    return result.commands.tolist(), result.effects.tolist(), result.paths.tolist()
+
+
+def test_telling_twice_is_refused():
+    explorer = new_explorer()
+    trial = explorer.ask()
+    explorer.tell(trial, [0.5, 0.5])
+    before = told(explorer)
+    with pytest.raises(ValueError, match="trial must be one that this explorer asked for"):
+        explorer.tell(trial, [0.5, 0.5])
+    assert told(explorer) == before
+
+
+def test_another_explorers_trial_is_refused():
+    explorer, other = new_explorer(), new_explorer()
+    mine, theirs = explorer.ask(), other.ask()
+    assert mine.command.tolist() == theirs.command.tolist()
+    with pytest.raises(ValueError, match="trial must be one that this explorer asked for"):
+        explorer.tell(theirs, [0.5, 0.5])
+    assert len(explorer.history) == 0
+    explorer.tell(mine, [0.5, 0.5])
+    other.tell(theirs, [0.5, 0.5])
+    assert told(explorer) == told(other)
+
+
+def test_a_trial_made_by_hand_is_refused():
+    explorer = new_explorer()
+    command = explorer.ask().command
+    with pytest.raises(ValueError, match="trial must be one that this explorer asked for"):
+        explorer.tell(db.Trial(command), [0.5, 0.5])
+
+
+BAD = [[math.nan, 0], [0, math.inf], [0], [0, 0, 0], [], "ab", None, [1j, 0], [[0, 0]]]
+
+
+@pytest.mark.parametrize("bad", BAD, ids=repr)
+@pytest.mark.parametrize("steps", [0, 10])
+def test_a_bad_effect_leaves_no_trace_and_a_good_one_can_follow(bad, steps):
+    disturbed, plain = new_explorer(), new_explorer()
+    for n in range(steps + 5):
+        trials = [explorer.ask() for explorer in (disturbed, plain)]
+        if n >= steps:
+            with pytest.raises((TypeError, ValueError), match="effect"):
+                disturbed.tell(trials[0], bad)
+            assert len(disturbed.history) == n
+        for explorer, trial in zip((disturbed, plain), trials, strict=True):
+            explorer.tell(trial, ARM(trial.command))
+    assert told(disturbed) == told(plain)
+    assert disturbed.ask().command.tolist() == plain.ask().command.tolist()
+
+
+@pytest.mark.parametrize("s", [1, 2, 3, 7])
+def test_the_first_effect_tells_the_dimension(s):
+    explorer = db.Explorer(db.MotorBabbling(), ARM.motor_space, rng=0)
+    assert explorer.history.effect_dim is None
+    explorer.tell(explorer.ask(), [0.5] * s)
+    assert explorer.history.effect_dim == s
+    with pytest.raises(ValueError, match="effect must have shape"):
+        explorer.tell(explorer.ask(), [0.5] * (s + 1))
+    assert explorer.result().effects.tolist() == [[0.5] * s]
+
+
+def test_effects_that_the_strategy_cannot_use_are_refused_at_the_first():
+    adapt = db.Adapt([db.MotorBabbling()])
+    explorer = db.Explorer(adapt, ARM.motor_space, rng=0)
+    trial = explorer.ask()
+    with pytest.raises(ValueError, match="effects must have dimension 2 for Adapt, got 3"):
+        explorer.tell(trial, [0.0, 0.0, 0.0])
+    assert len(explorer.history) == 0
+    with pytest.raises(ValueError, match="effects must have dimension 2 for Adapt, got 1"):
+        db.Explorer(adapt, ARM.motor_space, db.Box([0], [1]))
+
+
+def test_nobody_changes_the_log_through_a_command():
+    explorer = new_explorer()
+    trial = explorer.ask()
+    with pytest.raises(ValueError, match="read-only"):
+        trial.command[0] = 0.0
+    original = trial.command.tolist()
+    trial.command = np.zeros(3)  # the trial is the asker's own; the log is not
+    effect = np.array([0.5, 0.25])
+    explorer.tell(trial, effect)
+    effect[:] = 9
+    assert told(explorer)[:2] == ([original], [[0.5, 0.25]])
+    for array in (explorer.history.commands, explorer.history.effects):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0, 0] = 1.0
+
+
+def test_a_black_box_that_changes_its_command_is_caught():
+    def careless(command):
+        command *= 2
+        return command[:2]
+
+    environment = db.FunctionEnvironment(careless, ARM.motor_space)
+    with pytest.raises(ValueError, match="read-only"):
+        db.explore(environment, db.MotorBabbling(), n=3, rng=0)
+
+
+def test_a_strategy_that_changes_its_array_later_does_not_change_the_log():
+    class Reusing(db.Strategy):
+        command = np.zeros(3)
+
+        def propose(self, history, rng):
+            del rng
+            self.command[:] = 0.125 * len(history)
+            return self.command
+
+    run = db.explore(ARM, Reusing(), n=4, rng=0)
+    assert run.commands[:, 0].tolist() == [0, 0.125, 0.25, 0.375]
+
+
+def test_trials_answered_in_any_order():
+    explorer = new_explorer(db.MotorBabbling())
+    trials = [explorer.ask() for _ in range(6)]
+    for index in (3, 0, 5, 1, 4, 2):
+        explorer.tell(trials[index], [index / 10, 0])
+    assert explorer.result().effects[:, 0].tolist() == [0.3, 0.0, 0.5, 0.1, 0.4, 0.2]
+    expected = [trials[index].command.tolist() for index in (3, 0, 5, 1, 4, 2)]
+    assert explorer.history.commands.tolist() == expected

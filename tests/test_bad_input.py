@@ -1,0 +1,35 @@
+"""Whatever is passed by mistake: an error that names the argument, and nothing has changed."""
+
+import re
+
+import pytest
+
+import divbandit as db
+from tests.bad_calls import TABLE
+from tests.world import World
+
+
+def cases():
+    for called, argument, values, call in TABLE:
+        for name, value in values.items():
+            yield pytest.param(argument, call, value, id=f"{called}-{argument}-{name}")
+
+
+@pytest.mark.parametrize(("argument", "call", "value"), [*cases()])
+def test_the_error_names_the_argument_and_nothing_changes(argument, call, value):
+    world = World()
+    before = world.state()
+    with pytest.raises((TypeError, ValueError)) as caught:
+        call(world, value)
+    assert re.search(rf"\b{argument}s?\b", str(caught.value), re.IGNORECASE), str(caught.value)
+    assert world.state() == before
+    world.explorer.tell(world.trial, [0.0, 0.0])
+
+
+def test_the_effects_of_an_exploration_beyond_the_plane_have_no_coverage():
+    space = db.Box([0], [1])
+    run = db.explore(
+        db.FunctionEnvironment(lambda x: x, space, space), db.MotorBabbling(), n=3, rng=0
+    )
+    with pytest.raises(ValueError, match=r"effects must have shape \(n, 2\), got \(3, 1\)"):
+        run.coverage(0.1)

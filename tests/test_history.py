@@ -1,0 +1,105 @@
+"""The history: a log that grows, cannot be changed from outside, and knows what is near."""
+
+import copy
+
+import numpy as np
+import pytest
+
+import divbandit as db
+from tests.reference.families import FAMILIES, family
+from tests.reference.nearest import nearest
+
+SPACE = db.Box([-1, -1, -1], [1, 1, 1])
+PLANE = db.Box([-1, -1], [1, 1])
+
+
+def filled(n, sensory_space=PLANE):
+    history = db.History(SPACE, sensory_space)
+    commands, effects = family("uniform", n, 3, seed=1), family("uniform", n, 2, seed=2)
+    for k in range(n):
+        history.append(commands[k], effects[k], path=(k % 3, k))
+    return history, commands, effects
+
+
+@pytest.mark.parametrize("n", [0, 1, 63, 64, 65, 128, 129, 1000])
+def test_returns_what_was_appended(n):
+    history, commands, effects = filled(n)
+    assert len(history) == n
+    assert history.commands.tolist() == commands.tolist()
+    assert history.effects.tolist() == effects.tolist()
+    assert list(history.paths) == [(k % 3, k) for k in range(n)]
+    assert (history.commands.shape, history.effects.shape) == ((n, 3), (n, 2))
+
+
+@pytest.mark.parametrize("s", [1, 2, 3, 10])
+def test_learns_the_dimension_of_the_effects_from_the_first(s):
+    history = db.History(SPACE)
+    assert history.effect_dim is None
+    history.append([0, 0, 0], [0.5] * s)
+    history.append([0, 0, 0], [0.25] * s)
+    assert history.effect_dim == s
+    assert history.effects.tolist() == [[0.5] * s, [0.25] * s]
+
+
+def test_views_are_read_only_and_keep_what_they_showed():
+    history, _, effects = filled(64)
+    before = history.effects
+    with pytest.raises(ValueError, match="read-only"):
+        before[0] = 0
+    for _ in range(200):
+        history.append([0, 0, 0], [0, 0])
+    assert before.tolist() == effects.tolist()
+
+
+def test_appended_arrays_are_copied():
+    history = db.History(SPACE, PLANE)
+    command, effect = np.zeros(3), np.zeros(2)
+    history.append(command, effect)
+    command[:], effect[:] = 1, 1
+    assert history.commands.tolist() == [[0, 0, 0]]
+    assert history.effects.tolist() == [[0, 0]]
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_nearest_is_brute_force_at_any_moment(name):
+    history, effects = db.History(SPACE, PLANE), family(name, 300, 2)
+    rng = np.random.default_rng(0)
+    for n, effect in enumerate(effects, start=1):
+        history.append([0, 0, 0], effect)
+        if rng.random() < 0.3:  # the tree catches up with one or with several at a time
+            goal = rng.uniform(-1, 1, 2)
+            distance, index = nearest(effects[:n], goal)
+            assert history.nearest(goal) == (distance[0], index[0])
+            k = min(n, 4)
+            assert history.nearest(effect, k=k)[1] == pytest.approx(
+                nearest(effects[:n], effect, k)[1]
+            )
+
+
+def test_nothing_is_near_in_an_empty_history():
+    history = db.History(SPACE, PLANE)
+    for ask in (history.nearest, lambda goal: history.inverse(goal, np.random.default_rng(0))):
+        with pytest.raises(ValueError, match="history must not be empty"):
+            ask([0, 0])
+
+
+def test_the_inverse_returns_the_nearest_command_for_d_zero():
+    history, commands, effects = filled(500)
+    rng = np.random.default_rng(0)
+    for goal in family("uniform", 100, 2, seed=7):
+        _, (index,) = nearest(effects, goal)
+        assert history.inverse(goal, rng, d=0).tolist() == commands[index].tolist()
+
+
+def test_a_copy_goes_its_own_way():
+    history, _, effects = filled(10)
+    history.nearest([0, 0])
+    other = copy.deepcopy(history)
+    other.append([0, 0, 0], [0.001, 0.001])
+    assert (len(history), len(other)) == (10, 11)
+    assert other.nearest([0, 0])[1] == 10
+    assert history.nearest([0, 0])[1] == nearest(effects, [0, 0])[1][0]
+
+
+def test_its_repr_says_its_size():
+    assert "10 evaluations" in repr(filled(10)[0])

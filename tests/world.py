@@ -1,0 +1,45 @@
+"""One of everything that can be called, and all that a failed call must leave as it was."""
+
+import numpy as np
+
+import divbandit as db
+from tests.generators import state
+
+RMB = db.MotorBabbling()
+
+
+class InTurn(db.Composite):
+    def choose(self, history, rng):
+        del rng
+        return len(history) % len(self.strategies)
+
+
+class World:
+    """One of everything, with something in it."""
+
+    def __init__(self):
+        self.arm = db.PlanarArm(2, limit=1.0)
+        self.box = db.Box([-1, -1], [1, 1])
+        self.environment = db.FunctionEnvironment(lambda x: x, self.box, self.box)
+        self.rng = np.random.default_rng(0)
+        self.run = db.explore(self.arm, RMB, n=3, rng=self.rng)
+        self.history = db.History(self.box, self.box)
+        self.coverage, self.tree = db.Coverage(0.5), db.NearestNeighbors(2)
+        self.explorer = db.Explorer(RMB, self.box, self.box, rng=self.rng)
+        for effect in ([0.0, 0.0], [0.5, 0.25], [1.0, 0.0]):
+            self.history.append(effect, effect)
+            self.coverage.add(effect)
+            self.tree.add(effect)
+            self.explorer.tell(self.explorer.ask(), effect)
+        self.trial = self.explorer.ask()
+        self.by_hand = db.Trial([0.0, 0.0])
+
+    def state(self):
+        logs = (self.explorer.history, self.history)
+        return (
+            [(log.commands.tolist(), log.effects.tolist(), log.paths) for log in logs],
+            self.history.nearest([0.4, 0.3], k=3)[1].tolist(),
+            (len(self.coverage), self.coverage.measure, self.coverage.gain([0.7, 0.7])),
+            (len(self.tree), self.tree.nearest([0.4, 0.3], k=3)[1].tolist()),
+            state(self.rng),
+        )

@@ -43,6 +43,7 @@ NOT_ONE = {"None": None, "a class": db.MotorBabbling, "text": "ab", "a list": [R
 # (what is called, the argument, what is passed, how)
 TABLE = [
     ("PlanarArm", "joints", FROM_1 | HUGE | NONE, lambda _, x: db.PlanarArm(x)),
+    ("PlanarArm", "joints", {"many": 10**12}, lambda _, x: db.PlanarArm(x, limit=1e-9)),
     ("PlanarArm", "limit", POSITIVE | {"1e7": 1e7}, lambda _, x: db.PlanarArm(2, limit=x)),
     ("arm()", "command", BATCH | BEYOND, lambda w, x: w.arm(x)),
     ("arm.posture", "command", POINTS | BEYOND, lambda w, x: w.arm.posture(x)),

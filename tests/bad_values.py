@@ -21,6 +21,7 @@ def points(n):
         "bools": [True] * n,
         "an array of bools": np.ones(n, dtype=bool),
         "objects": [object()] * n,
+        "masked": np.ma.masked_array(np.zeros(n), mask=[True] * n),
         "None": None,
         "Nones": [None] * n,
         "dates": np.zeros(n, dtype="M8[s]"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import operator
-import sys
 from numbers import Integral, Real
 from typing import TYPE_CHECKING
 
@@ -29,14 +28,14 @@ def real(name: str, value: object, *, low: float = -math.inf, high: float = math
     return number
 
 
-def whole(name: str, value: object, *, low: int, high: int = sys.maxsize) -> int:
+def whole(name: str, value: object, *, low: int, high: int | None = None) -> int:
     """Return `value` as an int in [low, high], or say what is wrong with it."""
     # A plain int, the most common case, needs no look into the register of numbers.
     if type(value) is not int and (isinstance(value, bool) or not isinstance(value, Integral)):
         raise TypeError(f"{name} must be a whole number, got {type(value).__name__}")
     number = operator.index(value)
-    if not low <= number <= high:
-        bounds = f"at least {low}" if high == sys.maxsize else f"from {low} to {high}"
+    if number < low or (high is not None and number > high):
+        bounds = f"at least {low}" if high is None else f"from {low} to {high}"
         raise ValueError(f"{name} must be {bounds}, got {number}")
     return number
 

@@ -86,9 +86,9 @@ def test_alone_it_observes_the_very_trial_too():
     strategy = Remembering(0.5)
     explorer = db.Explorer(strategy, ARM.motor_space, rng=0)
     trial = explorer.ask()
-    assert trial is strategy.proposed[0]
+    assert trial.inner is strategy.proposed[0]
     explorer.tell(trial, [1.0, 0.0])
-    assert strategy.told[0][0] is trial
+    assert strategy.told[0][0] is trial.inner
 
 
 def test_the_goal_of_a_part_reaches_the_asker():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import real, whole
 from divbandit.bandits.window import GainWindow
@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from divbandit.strategies.base import Strategy, Trial
 
 
+#: The longest window: its gains are kept one by one.
+_LONGEST = 1_000_000
+
+
 class Adapt(Composite):
     """ADAPT(w, tau, alpha) (Benureau and Oudeyer 2015, section V).
 
@@ -37,7 +41,7 @@ class Adapt(Composite):
     tau : float
         Radius of the discs, in the units of the effects; positive.
     window : int
-        w, how many gains a strategy's diversity is averaged over; at least 1.
+        w, how many gains a strategy's diversity is averaged over; from 1 to a million.
     alpha : float
         Share of choices made uniformly at random, in [0, 1].
     head_start : int
@@ -69,7 +73,7 @@ class Adapt(Composite):
     ) -> None:
         super().__init__(strategies)
         self.tau = Coverage(tau).tau
-        self.window = whole("window", window, low=1)
+        self.window = whole("window", window, low=1, high=_LONGEST)
         self.alpha = real("alpha", alpha, low=0.0, high=1.0)
         self.head_start = whole("head_start", head_start, low=0, high=self.window)
         self._history: History | None = None
@@ -109,9 +113,10 @@ class Adapt(Composite):
 
     def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:
         """Credit the strategy that proposed the trial with the gain of its effect."""
+        gain = self._gain(effect)
         super().observe(trial, effect)
         index = trial.path[0]
-        self._windows[index].add(self._gain(effect))
+        self._windows[index].add(gain)
         self._diversities[index] = self._windows[index].mean()
 
     def _gain(self, effect: NDArray[np.float64]) -> float:
@@ -129,6 +134,10 @@ class Adapt(Composite):
         if len(history) > covered + 1:
             coverage.extend(history.effects[covered:-1])
         return coverage.add(effect)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leave out the coverage: it is made anew from the history."""
+        return {**self.__dict__, "_coverage": None}
 
     def __repr__(self) -> str:
         return (

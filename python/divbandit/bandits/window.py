@@ -9,8 +9,8 @@ from math import fsum
 class GainWindow:
     """The gains of the last `size` effects that a strategy produced.
 
-    A head start of `count` fictitious gains comes first; each leaves when `size` real gains
-    have followed it.
+    A head start of `count` fictitious gains comes first. The oldest gains leave a full window, so
+    that of one fictitious gain nothing is left when `size` real ones have followed.
 
     Examples
     --------

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from divbandit import _core
 from divbandit.box import Box
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
 
@@ -23,7 +24,7 @@ class PlanarArm:
     Parameters
     ----------
     joints : int
-        Number of joints, at least 1.
+        Number of joints, from 1 to 100,000.
     limit : float
         Every joint's limit in radians: angles lie in [-limit, limit].
 
@@ -37,7 +38,7 @@ class PlanarArm:
     Raises
     ------
     TypeError, ValueError
-        If `joints` is not a whole number of at least 1, or `limit` is not positive and finite.
+        If `joints` is not a whole number in its range, or `limit` is not positive and finite.
 
     Examples
     --------
@@ -56,8 +57,8 @@ class PlanarArm:
 
     def __init__(self, joints: int = 20, *, limit: float = math.radians(150)) -> None:
         self._kernel = _core.PlanarArm(joints, limit)
-        angles = [self._kernel.limit] * self._kernel.joints
-        self.motor_space = Box([-angle for angle in angles], angles)
+        highest = np.full(self._kernel.joints, self._kernel.limit)
+        self.motor_space = Box(-highest, highest)
         self.sensory_space = Box([-1, -1], [1, 1])
 
     @property

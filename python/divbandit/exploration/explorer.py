@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from divbandit._checks import generator
 from divbandit._core import as_point
@@ -18,8 +18,14 @@ if TYPE_CHECKING:
     from divbandit._checks import Rng
     from divbandit.box import BoxLike
 
-    #: A trial asked for and not yet told, its command, and what the bandit believed then.
-    _Open = tuple[Trial, NDArray[np.float64], tuple[float, ...] | None]
+
+class _Open(NamedTuple):
+    """A trial asked for and not yet told."""
+
+    trial: Trial
+    command: NDArray[np.float64]
+    proposed: Trial
+    beliefs: tuple[float, ...] | None
 
 
 class Explorer:
@@ -74,9 +80,11 @@ class Explorer:
         self._strategy = copy.deepcopy(strategy)
         self._rng = generator(rng)
         self._bounds = space.bounds
-        # By the trial's identity, which is its own while it is held here.
+        self._asked = 0
         self._open: dict[int, _Open] = {}
-        self._beliefs: list[tuple[float, ...] | None] = []
+        # What the bandit believed, by the step's place in the history.
+        self._beliefs: dict[int, tuple[float, ...]] = {}
+        self._dim_is_checked = self.history.effect_dim is not None
 
     def ask(self) -> Trial:
         """Return a trial: evaluate its command, then tell its effect.
@@ -90,7 +98,8 @@ class Explorer:
         Raises
         ------
         TypeError, ValueError
-            If the strategy proposes what is no point of the motor space.
+            If the strategy proposes what is no point of the motor space. The history is then as
+            it was; the generator and the strategy have moved on.
 
         Examples
         --------
@@ -99,13 +108,13 @@ class Explorer:
         >>> explorer.ask().command
         array([0.63696169, 0.26978671])
         """
-        trial = Trial.of(self._strategy.propose(self.history, self._rng))
+        proposed = Trial.of(self._strategy.propose(self.history, self._rng))
         # A copy, so that nobody who changes an array in place changes the log.
-        command = self._bounds.command(trial.command)
-        if id(trial) in self._open:
-            raise ValueError("trial must be a new one: the strategy proposed the same object twice")
-        trial.command = command
-        self._open[id(trial)] = (trial, command, self._strategy.diversities)
+        command = self._bounds.command(proposed.command)
+        trial = Trial(command, goal=proposed.goal)
+        trial.path, trial.inner, trial.number = proposed.path, proposed, self._asked
+        self._open[self._asked] = _Open(trial, command, proposed, self._strategy.diversities)
+        self._asked += 1
         return trial
 
     def tell(self, trial: Trial, effect: ArrayLike) -> None:
@@ -122,6 +131,8 @@ class Explorer:
         TypeError, ValueError
             If the trial is another's or was told before, or the effect is not finite or of the
             wrong length; nothing is recorded then, and the trial can still be told.
+        Exception
+            What a strategy of one's own raises when it observes; the effect is then recorded.
 
         Examples
         --------
@@ -136,20 +147,22 @@ class Explorer:
         """
         if not isinstance(trial, Trial):
             raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
-        if id(trial) not in self._open:
+        number = -1 if trial.number is None else trial.number
+        known = self._open.get(number)
+        if known is None or known.trial is not trial:
             raise ValueError(
                 "trial must be one that this explorer asked for and was not told of yet"
             )
-        _, command, beliefs = self._open[id(trial)]
         history = self.history
         point = as_point("effect", effect, history.effect_dim)
-        if len(history) == 0 and history.sensory_space is None:
-            # The first effect tells the dimension.
+        if not self._dim_is_checked:  # the first effect tells the dimension
             self._strategy.check(history.motor_space, len(point), has_goals=False)
-        history.record(command, point, trial.path)
-        del self._open[id(trial)]
-        self._beliefs.append(beliefs)
-        self._strategy.observe(trial, point)
+            self._dim_is_checked = True
+        if known.beliefs is not None:
+            self._beliefs[len(history)] = known.beliefs
+        history.record(known.command, point, known.proposed.path)
+        del self._open[number]
+        self._strategy.observe(known.proposed, point)
 
     def result(self) -> Exploration:
         """Return all that was told so far as an Exploration, to plot or save.

@@ -14,7 +14,7 @@ from divbandit.box import Box
 from divbandit.measures import Coverage
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -37,8 +37,8 @@ class Exploration:
     paths : numpy.ndarray of int64, shape (n, depth)
         Who chose each command: indices of strategies, outermost first, -1 beyond the innermost.
     diversities : numpy.ndarray of float64, shape (n, q), or None
-        What the bandit believed of each of its q strategies when it chose; None where the
-        strategy is no bandit.
+        What the bandit believed of each of its q strategies when it chose (NaN where the history
+        was written to by hand); None where the strategy is no bandit.
 
     Examples
     --------
@@ -56,37 +56,39 @@ class Exploration:
     diversities: NDArray[np.float64] | None
 
     @classmethod
-    def from_history(
-        cls, history: History, beliefs: Sequence[tuple[float, ...] | None]
-    ) -> Exploration:
+    def from_history(cls, history: History, beliefs: Mapping[int, Sequence[float]]) -> Exploration:
         """Take a copy of a history and of what the bandit believed at each of its steps.
 
         Parameters
         ----------
         history : History
-        beliefs : sequence
-            The diversities before each step, or None.
+        beliefs : mapping of int to sequence of float
+            The diversities before each step, by its index; NaN where it is missing.
 
         Examples
         --------
         >>> import divbandit as db
         >>> history = db.History(db.Box([0], [1]))
         >>> history.append([0.5], [7.0], path=(1, 0))
-        >>> db.Exploration.from_history(history, [(0.5, 0.25)]).paths
+        >>> db.Exploration.from_history(history, {0: (0.5, 0.25)}).paths
         array([[1, 0]])
         """
         depth = max((len(path) for path in history.paths), default=0)
         paths = np.full((len(history), depth), -1, dtype=np.int64)
         for row, path in zip(paths, history.paths, strict=True):
             row[: len(path)] = path
-        known = [belief for belief in beliefs if belief is not None]
+        diversities = None
+        if beliefs:
+            width = len(next(iter(beliefs.values())))
+            diversities = np.full((len(history), width), np.nan)
+            diversities[list(beliefs)] = list(beliefs.values())
         return cls(
             history.motor_space,
             history.sensory_space,
             history.commands.copy(),
             history.effects.copy(),
             paths,
-            np.array(known) if known and len(known) == len(history) else None,
+            diversities,
         )
 
     def __len__(self) -> int:
@@ -165,15 +167,17 @@ class Exploration:
             arrays["diversities"] = self.diversities
         # The names come first, so that nothing can go missing unnoticed.
         arrays = {"format": np.array([_FORMAT, str(_VERSION), *arrays]), **arrays}
-        target = Path(path)
-        temporary = target.with_name(f".{target.name}.{secrets.token_hex(8)}")
+        target = Path(path).resolve()  # what a link points to, not the link
+        temporary = target.with_name(f".{secrets.token_hex(8)}.tmp")
         try:
             with temporary.open("xb") as file:
                 np.savez_compressed(file, **cast("Any", arrays))
             temporary.replace(target)
-        except BaseException:
-            temporary.unlink(missing_ok=True)
+        except OSError as error:
+            error.filename = os.fspath(path)
             raise
+        finally:
+            temporary.unlink(missing_ok=True)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Exploration:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable
 from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,8 +13,7 @@ from divbandit.paper import comparison, figure1, figure2, figure3, figure4, sett
 from divbandit.plot import style
 
 if TYPE_CHECKING:
-    import os
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
     from contextlib import AbstractContextManager
 
     from matplotlib.figure import Figure
@@ -72,9 +73,15 @@ def reproduce(
     ...     reproduce([1], out=folder)
     []
     """
+    if not isinstance(figures, Iterable):
+        raise TypeError(f"figures must be numbers of figures, got {type(figures).__name__}")
     wanted = sorted({whole("figures", figure, low=1, high=len(FIGURES)) for figure in figures})
+    if not isinstance(out, (str, os.PathLike)):
+        raise TypeError(f"out must be a path, got {type(out).__name__}")
     whole("repetitions", repetitions, low=1)
     whole("seed", seed, low=0)
+    if jobs is not None:
+        whole("jobs", jobs, low=1)
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     bar = _no_bar if bar is None else bar

@@ -21,10 +21,24 @@ def effects_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
     >>> effects_of([[0, 1], [2, 3]]).shape
     (2, 2)
     """
-    effects = np.asarray(data.effects if isinstance(data, Exploration) else data, dtype=float)
+    effects = numbers("data", data.effects if isinstance(data, Exploration) else data)
     if effects.ndim != 2 or effects.shape[1] != 2:
         raise ValueError(f"data must hold effects of shape (n, 2), got {effects.shape}")
     return effects
+
+
+def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Return `values` as an array of floats, or name the argument that is none.
+
+    Examples
+    --------
+    >>> numbers("data", [1, 2])
+    array([1., 2.])
+    """
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{name} must be an array of numbers: {error}") from None
 
 
 def diversities_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
@@ -39,7 +53,7 @@ def diversities_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
         if data.diversities is None:
             raise ValueError("data must be the exploration of a bandit: it has no diversities")
         return data.diversities
-    diversities = np.asarray(data, dtype=float)
+    diversities = numbers("data", data)
     if diversities.ndim != 2:
         raise ValueError(f"data must hold diversities of shape (n, q), got {diversities.shape}")
     return diversities
@@ -79,7 +93,8 @@ def usage_of(
     """
     window = whole("window", window, low=1)
     choices = data.choices if isinstance(data, Exploration) else np.asarray(data)
-    if choices.ndim != 1 or choices.size == 0 or choices.dtype.kind not in "iu":
+    indices = choices.ndim == 1 and choices.size > 0 and choices.dtype.kind in "iu"
+    if not indices or choices.min() < 0:
         raise ValueError(f"data must hold choices, indices of shape (n,), got {choices!r}")
     least = int(choices.max()) + 1
     if strategies is None:

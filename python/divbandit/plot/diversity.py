@@ -58,7 +58,7 @@ def diversity(
     2
     """
     diversities = diversities_of(data)
-    _check_labels(labels, diversities.shape[1])
+    check_labels(labels, diversities.shape[1])
     ax = style.axes(ax)
     curves(ax, diversities, labels)
     ax.set_ylim(bottom=0)
@@ -82,6 +82,7 @@ def curves(ax: Axes, values: np.ndarray, labels: Sequence[str] | None) -> None:
         ax.legend(frameon=False)
 
 
-def _check_labels(labels: Sequence[str] | None, count: int) -> None:
+def check_labels(labels: Sequence[str] | None, count: int) -> None:
+    """Require a name for each of `count` strategies, or none at all."""
     if labels is not None and len(labels) != count:
         raise ValueError(f"labels must name {count} strategies, got {len(labels)}")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from divbandit.plot import style
+from divbandit.plot.data import numbers
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,12 +53,14 @@ def mixtures(
     >>> ax.get_xlabel()
     'motor babbling ratio'
     """
-    points = np.asarray(data, dtype=float)
+    points = numbers("data", data)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"data must have shape (k, 3), got {points.shape}")
-    found = np.empty((0, 2)) if archive is None else np.asarray(archive, dtype=float)
+    found = np.empty((0, 2)) if archive is None else numbers("archive", archive)
     if found.ndim != 2 or found.shape[1] != 2:
         raise ValueError(f"archive must have shape (k, 2), got {found.shape}")
+    if adapt is not None and numbers("adapt", adapt).shape != (2,):
+        raise ValueError(f"adapt must be (mean, standard deviation), got {adapt!r}")
     ax = style.axes(ax)
     ax.errorbar(
         points[:, 0],

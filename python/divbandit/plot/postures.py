@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from divbandit.plot import style
+from divbandit.plot.data import numbers
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,9 +43,9 @@ def postures(data: ArrayLike, *, unit: str = "", ax: Axes | None = None) -> Axes
     >>> len(ax.lines)
     3
     """
-    chains = np.asarray(data, dtype=float)
+    chains = numbers("data", data)
     chains = chains[None] if chains.ndim == 2 else chains
-    if chains.ndim != 3 or chains.shape[2] != 2 or len(chains) == 0:
+    if chains.ndim != 3 or chains.shape[2] != 2 or chains.size == 0:
         raise ValueError(f"data must have shape (k, joints + 1, 2), got {np.shape(data)}")
     ax = style.axes(ax)
     for index, chain in enumerate(chains):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from divbandit.plot import style
 from divbandit.plot.data import usage_of
-from divbandit.plot.diversity import curves
+from divbandit.plot.diversity import check_labels, curves
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,8 +52,10 @@ def usage(
     >>> plot.usage([0, 1, 1, 0], window=2, labels=["a", "b"]).get_ylabel()
     'usage (%)'
     """
-    count = None if labels is None else len(labels)
-    shares = usage_of(data, window=window, strategies=count)
+    shares = usage_of(data, window=window)
+    if labels is not None and len(labels) > shares.shape[1]:
+        shares = usage_of(data, window=window, strategies=len(labels))
+    check_labels(labels, shares.shape[1])
     ax = style.axes(ax)
     curves(ax, 100 * shares, labels)
     ax.set_ylim(0, 100)

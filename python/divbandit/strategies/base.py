@@ -32,7 +32,10 @@ class Trial:
         Who proposed it: indices of strategies, outermost first. Empty where one strategy
         explores alone.
     inner : Trial or None
-        For a composite strategy's trial, the very trial that its chosen part proposed.
+        For a trial of a composite strategy, or one that an Explorer gives out: the very trial
+        that was proposed.
+    number : int or None
+        For a trial that an Explorer gives out: how many it gave out before.
 
     Examples
     --------
@@ -42,13 +45,14 @@ class Trial:
     ()
     """
 
-    __slots__ = ("command", "goal", "inner", "path")
+    __slots__ = ("command", "goal", "inner", "number", "path")
 
     def __init__(self, command: ArrayLike, *, goal: ArrayLike | None = None) -> None:
         self.command = command
         self.goal = goal
         self.path: tuple[int, ...] = ()
         self.inner: Trial | None = None
+        self.number: int | None = None
 
     @classmethod
     def of(cls, proposal: Trial | ArrayLike) -> Trial:

@@ -10,6 +10,9 @@ use crate::trig::{MAX_ANGLE, sin_cos};
 /// How many angles go through the sines at once: one 512-bit or two 256-bit registers.
 const LANES: usize = 8;
 
+/// The longest chain: bent by pi at every joint it stays within the accurate sines.
+const MAX_JOINTS: usize = 100_000;
+
 /// A planar arm of total length 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanarArm {
@@ -32,11 +35,12 @@ impl PlanarArm {
     /// An arm of `joints` joints, each limited to [-`limit`, `limit`] radians.
     ///
     /// # Errors
-    /// If `joints` is 0, `limit` is not positive and finite, or a fully bent arm would turn
+    /// If `joints` is not from 1 to 100,000, `limit` is not positive and finite, or a fully bent arm would turn
     /// by more than 1e6 radians.
     pub fn new(joints: usize, limit: f64) -> Result<Self, Error> {
-        if joints == 0 {
-            return Err(Error::Count { name: "joints", must_be: "at least 1".into(), got: joints });
+        if !(1..=MAX_JOINTS).contains(&joints) {
+            let must_be = format!("from 1 to {MAX_JOINTS}");
+            return Err(Error::Count { name: "joints", must_be, got: joints });
         }
         if !(limit > 0.0 && limit.is_finite()) {
             return Err(Error::Number {

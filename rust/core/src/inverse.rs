@@ -26,5 +26,6 @@ pub fn inverse(
     let m = motor_space.dim();
     check_length("commands", commands, effects.len() * m)?;
     let (_, index) = effects.nearest(goal)?;
-    motor_space.perturb(&commands[index * m..][..m], d, stream)
+    let parent = commands.get(index * m..(index + 1) * m).unwrap_or_default();
+    motor_space.perturb(parent, d, stream)
 }

@@ -3,7 +3,9 @@
 //! A C-contiguous float64 array is borrowed; anything else that NumPy can read as real
 //! numbers is converted. Booleans, strings, complex numbers and objects are refused.
 
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{
+    PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -16,7 +18,8 @@ pub(crate) struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
 impl<'py> Floats<'py> {
     /// Reads `value`, of any shape.
     fn read(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Self> {
-        if let Ok(array) = value.cast::<PyArrayDyn<f64>>()
+        if value.is_exact_instance_of::<PyUntypedArray>()
+            && let Ok(array) = value.cast::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
         {
             let floats = borrow(name, array)?;
@@ -29,6 +32,10 @@ impl<'py> Floats<'py> {
             PyTypeError::new_err(format!("{name} must be an array of real numbers, got {detail}"))
         };
         let py = value.py();
+        static MASKED: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+        if value.is_instance(MASKED.import(py, "numpy.ma", "MaskedArray")?)? {
+            return Err(refused("a masked array".to_owned()));
+        }
         let numpy = py.import(intern!(py, "numpy"))?;
         let array = numpy
             .call_method1(intern!(py, "asarray"), (value,))

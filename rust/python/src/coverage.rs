@@ -1,6 +1,7 @@
 //! Binding of the diversity measure.
 
 use divbandit_core::Coverage;
+use divbandit_core::error::check_finite;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -12,7 +13,8 @@ use crate::errors::value_error;
 /// radius tau around them (Benureau and Oudeyer 2015, section II).
 ///
 /// In the plane it is the exact area of a union of discs: each gain is right to some 1e-14 of
-/// a disc's area.
+/// a disc's area. The time of a gain grows with the number of effects within 2 tau that covered
+/// something new when they came.
 ///
 /// Parameters
 /// ----------
@@ -112,6 +114,8 @@ impl PyCoverage {
     /// ------
     /// TypeError, ValueError
     ///     If one is no finite point of this dimension; nothing is added then.
+    /// KeyboardInterrupt
+    ///     On Ctrl-C; the first so many thousand effects are added then.
     ///
     /// Examples
     /// --------
@@ -124,10 +128,7 @@ impl PyCoverage {
         effects: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let effects = Floats::points("effects", effects, 2)?;
-        let effects = effects.slice()?;
-        let mut gains = vec![0.0; effects.len() / 2];
-        py.detach(|| self.0.extend(effects, &mut gains)).map_err(value_error)?;
-        Ok(gains.into_pyarray(py))
+        Ok(extend(py, &mut self.0, effects.slice()?)?.into_pyarray(py))
     }
 
     /// What `add(effect)` would return; nothing is added.
@@ -203,11 +204,22 @@ pub(crate) fn coverage(
     tau: &Bound<'_, PyAny>,
 ) -> PyResult<f64> {
     let effects = Floats::points("effects", effects, 2)?;
-    let effects = effects.slice()?;
     let mut union = Coverage::new(number("tau", tau)?).map_err(value_error)?;
-    let mut gains = vec![0.0; effects.len() / 2];
-    py.detach(|| union.extend(effects, &mut gains)).map_err(value_error)?;
+    extend(py, &mut union, effects.slice()?)?;
     Ok(union.measure())
+}
+
+/// Adds effects a thousand at a time, without the GIL but open to Ctrl-C in between.
+fn extend(py: Python<'_>, union: &mut Coverage, effects: &[f64]) -> PyResult<Vec<f64>> {
+    // A copy: while others run, they may change the array between its check and its use.
+    let effects = effects.to_vec();
+    check_finite("effects", &effects, 2).map_err(value_error)?;
+    let mut gains = vec![0.0; effects.len() / 2];
+    for (some, gains) in effects.chunks(2000).zip(gains.chunks_mut(1000)) {
+        py.detach(|| union.extend(some, gains)).map_err(value_error)?;
+        py.check_signals()?;
+    }
+    Ok(gains)
 }
 
 fn pair(effect: &Bound<'_, PyAny>) -> PyResult<[f64; 2]> {

@@ -10,7 +10,8 @@ use crate::errors::value_error;
 /// Points in R^dim, searched exactly for the nearest: a k-d tree that grows.
 ///
 /// Points can be added at any time. Duplicates, sorted, collinear and clustered points are
-/// no slower than others. Among points at the same (computed) distance the earliest is nearest.
+/// no slower than others. Among points at the same (computed) distance the earliest is nearest;
+/// distances are computed by their squares, and so up to 1e154 and down to 1e-154.
 ///
 /// Parameters
 /// ----------
@@ -91,8 +92,9 @@ impl PyNearestNeighbors {
     /// 2
     fn extend(&mut self, py: Python<'_>, points: &Bound<'_, PyAny>) -> PyResult<()> {
         let points = Floats::points("points", points, self.0.dim())?;
-        let points = points.slice()?;
-        py.detach(|| self.0.extend(points)).map_err(value_error)
+        // A copy: while others run, they may change the array between its check and its use.
+        let points = points.slice()?.to_vec();
+        py.detach(|| self.0.extend(&points)).map_err(value_error)
     }
 
     /// The nearest points to `query`.

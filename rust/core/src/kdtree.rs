@@ -7,7 +7,7 @@
 //! - A leaf splits at its *median* by (coordinate, index), never at a midpoint: the halves
 //!   are equal whatever the coordinates are, also when all are the same.
 //! - A subtree whose sides have grown too unequal is built anew (a scapegoat tree), so the
-//!   depth stays below log(n) / log(10/7) for any order of arrival; insertion costs
+//!   depth stays near log(n) / log(10/7) at most for any order of arrival; insertion costs
 //!   amortised O(log^2 n).
 //! - Every node knows the tight bounding box of its points and the earliest of them. The
 //!   pair (squared distance to the box, earliest index) bounds the same pair of every point
@@ -22,9 +22,10 @@ use smallvec::SmallVec;
 
 use crate::error::{Error, check_finite, check_length, check_rows};
 
-/// Points a leaf holds before it splits. Of 4, 8, 16 and 32, 8 gave the fastest mixture of
-/// insertion and query in 2 dimensions (see the bench `kdtree`).
-const LEAF: usize = 8;
+/// Points a leaf holds before it splits. With 8, 16, 32 and 64, inserting one of 10,000 uniform
+/// points in the plane took 151, 127, 95 and 87 ns, a query 114, 118, 114 and 141 ns (bench
+/// `kdtree`).
+const LEAF: usize = 32;
 
 /// A subtree is built anew when one side holds more than this share of it.
 const LOPSIDED: f64 = 0.7;
@@ -238,8 +239,8 @@ impl NearestNeighbors {
     /// Offers to `accept` every point below the current bound, in a good order; `accept`
     /// answers with the new bound.
     fn search(&self, query: &[f64], bound: Found, accept: impl FnMut(Found) -> Found) {
-        // With the dimension known to the compiler its loops unroll: 2-D queries took
-        // 0.6 of the time of the general code (bench `kdtree`).
+        // With the dimension known to the compiler its loops unroll: among 10,000 points a query
+        // takes 114 ns in the plane instead of 253, 206 ns in space instead of 436 (bench `kdtree`).
         match self.dim {
             1 => self.search_in::<1>(query, bound, accept),
             2 => self.search_in::<2>(query, bound, accept),

@@ -9,7 +9,7 @@ fn refused<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
 
 #[test]
 fn an_arm_needs_joints_and_a_limit() {
-    assert_eq!(refused(PlanarArm::new(0, 1.0)), "joints must be at least 1, got 0");
+    assert_eq!(refused(PlanarArm::new(0, 1.0)), "joints must be from 1 to 100000, got 0");
     for limit in [0.0, -0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let expected = format!("limit must be positive and finite (radians), got {limit:?}");
         assert_eq!(refused(PlanarArm::new(3, limit)), expected);

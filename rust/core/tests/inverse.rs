@@ -98,7 +98,7 @@ fn a_refusal_draws_nothing() {
     assert_eq!(ask(&goal, 1.5, &tree, &commands), "d must be in [0, 1], got 1.5");
     assert_eq!(ask(&goal, f64::NAN, &tree, &commands), "d must be in [0, 1], got NaN");
     assert_eq!(ask(&[0.0], 0.1, &tree, &commands), "goal must have length 2, got 1");
-    assert_eq!(ask(&[0.0, f64::NAN], 0.1, &tree, &commands), "query[1] must be finite, got NaN");
+    assert_eq!(ask(&[0.0, f64::NAN], 0.1, &tree, &commands), "goal[1] must be finite, got NaN");
     assert_eq!(ask(&goal, 0.1, &tree, &commands[1..]), "commands must have length 30, got 29");
     let outside = ask(&goal, 0.1, &tree, &[99.0; 30]);
     assert!(outside.starts_with("parent[0] must be in the range ["), "{outside}");

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 from concurrent.futures import ProcessPoolExecutor
 from typing import TYPE_CHECKING, TypeVar
@@ -26,7 +27,8 @@ def run_all(
 ) -> list[Result]:
     """Return ``[function(task) for task in tasks]``, computed by `jobs` processes.
 
-    A task carries its own seed, so that the results do not depend on `jobs`.
+    A task carries its own seed, so that the results do not depend on `jobs`. As always with
+    processes, a script that calls this does so under ``if __name__ == "__main__":``.
 
     Parameters
     ----------
@@ -53,7 +55,10 @@ def run_all(
     jobs = available_cores() if jobs is None else whole("jobs", jobs, low=1)
     if jobs == 1 or len(tasks) < 2:
         return _collected(map(function, tasks), progress)
-    with ProcessPoolExecutor(max_workers=min(jobs, len(tasks))) as pool:
+    # Forking a process that has threads, as NumPy's libraries do, may hang the child.
+    way = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
+    context = multiprocessing.get_context(way)
+    with ProcessPoolExecutor(min(jobs, len(tasks)), mp_context=context) as pool:
         # Chunks keep the processes busy; small ones let the progress be seen.
         chunk = max(1, min(8, len(tasks) // (4 * jobs)))
         try:

@@ -58,6 +58,22 @@ proptest! {
     }
 
     #[test]
+    fn vector_instructions_change_no_bit(joints in 1..=40_usize, seed: u64, extreme: bool) {
+        let command = commands(joints, 1, seed, extreme);
+        let (mut angle, mut x, mut y) = (0.0, 0.0, 0.0);
+        for turn in &command {
+            angle += turn;
+            // One lane, compiled for any CPU of this kind.
+            let ([sine], [cosine]) = divbandit_core::trig::sin_cos([angle]);
+            x += cosine;
+            y += sine;
+        }
+        let plain = [x / joints as f64, y / joints as f64];
+        let effect = PlanarArm::new(joints, LIMIT).unwrap().effect(&command).unwrap();
+        prop_assert_eq!(effect.map(f64::to_bits), plain.map(f64::to_bits));
+    }
+
+    #[test]
     fn a_posture_leads_from_the_base_to_the_effect(
         joints in 1..=40_usize, seed: u64, extreme: bool,
     ) {

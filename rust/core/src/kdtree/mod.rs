@@ -1,0 +1,163 @@
+//! A k-d tree that grows point by point and always answers exactly.
+//!
+//! Goal babbling with a small d piles effects up in clusters many orders of magnitude
+//! smaller than the space, and duplicates, sorted and collinear points are everyday input.
+//! Three choices make all of these ordinary:
+//!
+//! - A leaf splits at its *median* by (coordinate, index), never at a midpoint: the halves
+//!   are equal whatever the coordinates are, also when all are the same.
+//! - A subtree whose sides have grown too unequal is built anew (a scapegoat tree), so the
+//!   depth stays near log(n) / log(10/7) at most for any order of arrival; insertion costs
+//!   amortised O(log^2 n).
+//! - Every node knows the tight bounding box of its points and the earliest of them. The
+//!   pair (squared distance to the box, earliest index) bounds the same pair of every point
+//!   inside from below - in floating point too, since rounding is monotone - and the search
+//!   minimises that pair. Ties therefore go to the earliest point, and of a million
+//!   duplicates all but one branch is pruned.
+
+mod grow;
+mod search;
+
+use crate::error::{Error, check_finite, check_length, check_rows};
+
+/// Points a leaf holds before it splits. With 8, 16, 32 and 64, inserting one of 10,000 uniform
+/// points in the plane took 151, 127, 95 and 87 ns, a query 114, 118, 114 and 141 ns (bench
+/// `kdtree`).
+const LEAF: usize = 32;
+
+/// Points in R^dim, to be searched for the nearest.
+#[derive(Debug, Clone)]
+pub struct NearestNeighbors {
+    dim: usize,
+    points: Vec<f64>,
+    nodes: Vec<Node>,
+    /// Lowest, then highest, coordinates of each node: `2 * dim` numbers.
+    boxes: Vec<f64>,
+    /// The points of each leaf, copied here so that a leaf is read in one go.
+    leaf_points: Vec<f64>,
+    leaf_indices: Vec<[u32; LEAF]>,
+    free_nodes: Vec<u32>,
+    free_leaves: Vec<u32>,
+    /// The nodes from the root to the leaf of the last insertion.
+    path: Vec<u32>,
+}
+
+/// A part of space with at least one point in it.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    /// How many points it holds.
+    size: u32,
+    /// The earliest of them.
+    earliest: u32,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    Leaf {
+        slot: u32,
+    },
+    /// A new point goes left if its coordinate is below `at`, else right.
+    Split {
+        axis: u32,
+        at: f64,
+        left: u32,
+        right: u32,
+    },
+}
+
+const ROOT: u32 = 0;
+
+impl NearestNeighbors {
+    /// An empty set of points in R^`dim`.
+    ///
+    /// # Errors
+    /// If `dim` is 0.
+    pub fn new(dim: usize) -> Result<Self, Error> {
+        if dim == 0 {
+            return Err(Error::Count { name: "dim", must_be: "at least 1".into(), got: dim });
+        }
+        Ok(Self {
+            dim,
+            points: Vec::new(),
+            nodes: Vec::new(),
+            boxes: Vec::new(),
+            leaf_points: Vec::new(),
+            leaf_indices: Vec::new(),
+            free_nodes: Vec::new(),
+            free_leaves: Vec::new(),
+            path: Vec::new(),
+        })
+    }
+
+    /// The dimension of the points.
+    #[must_use]
+    pub fn dim(&self) -> usize {
+        self.dim
+    }
+
+    /// How many points there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.points.len() / self.dim
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// All points in order of arrival, row by row.
+    #[must_use]
+    pub fn points(&self) -> &[f64] {
+        &self.points
+    }
+
+    /// How many levels the tree has.
+    #[must_use]
+    pub fn depth(&self) -> usize {
+        fn below(tree: &NearestNeighbors, node: u32) -> usize {
+            match tree.nodes[node as usize].kind {
+                Kind::Leaf { .. } => 1,
+                Kind::Split { left, right, .. } => 1 + below(tree, left).max(below(tree, right)),
+            }
+        }
+        if self.is_empty() { 0 } else { below(self, ROOT) }
+    }
+
+    /// Adds a point; its index is the number of points before it.
+    ///
+    /// # Errors
+    /// If it is not `dim` finite numbers, or there are 2^32 - 1 points already.
+    pub fn add(&mut self, point: &[f64]) -> Result<(), Error> {
+        check_length("point", point, self.dim)?;
+        check_finite("point", point, self.dim)?;
+        self.check_room(1)?;
+        self.insert(point);
+        Ok(())
+    }
+
+    /// Adds points row by row; adds none if one of them cannot be added.
+    ///
+    /// # Errors
+    /// If they are not whole rows of `dim` finite numbers, or would be more than 2^32 - 1.
+    pub fn extend(&mut self, points: &[f64]) -> Result<(), Error> {
+        check_rows("points", points, self.dim)?;
+        check_finite("points", points, self.dim)?;
+        self.check_room(points.len() / self.dim)?;
+        for point in points.chunks_exact(self.dim) {
+            self.insert(point);
+        }
+        Ok(())
+    }
+
+    fn check_room(&self, more: usize) -> Result<(), Error> {
+        let total = self.len() + more;
+        if total < u32::MAX as usize {
+            Ok(())
+        } else {
+            Err(Error::Count { name: "points", must_be: "fewer than 2^32".into(), got: total })
+        }
+    }
+}

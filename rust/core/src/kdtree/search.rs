@@ -1,0 +1,160 @@
+//! Searching the tree: the nearest point, or the k nearest.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use smallvec::SmallVec;
+
+use super::{Kind, LEAF, NearestNeighbors, ROOT};
+use crate::error::{Error, check_finite, check_length};
+
+/// A point found: smaller means nearer, then earlier.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Found {
+    squared: f64,
+    index: u32,
+}
+
+impl Eq for Found {}
+
+impl Ord for Found {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.squared.total_cmp(&other.squared).then(self.index.cmp(&other.index))
+    }
+}
+
+impl PartialOrd for Found {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl NearestNeighbors {
+    /// The distance to, and the index of, the point nearest to `query`; the earliest of
+    /// several at the same distance.
+    ///
+    /// # Errors
+    /// If there are no points, or `query` is not `dim` finite numbers.
+    pub fn nearest(&self, query: &[f64]) -> Result<(f64, usize), Error> {
+        self.check_query(query)?;
+        let mut best = Found { squared: f64::INFINITY, index: u32::MAX };
+        self.search(query, best, |found| {
+            best = best.min(found);
+            best
+        });
+        Ok((best.squared.sqrt(), best.index as usize))
+    }
+
+    /// The `k` nearest points, nearest first and, at the same distance, earliest first.
+    ///
+    /// # Errors
+    /// If `k` is 0 or more than there are points, or `query` is not `dim` finite numbers.
+    pub fn nearest_k(&self, query: &[f64], k: usize) -> Result<Vec<(f64, usize)>, Error> {
+        self.check_query(query)?;
+        if k == 0 || k > self.len() {
+            return Err(Error::Count {
+                name: "k",
+                must_be: format!("from 1 to the number of points, {}", self.len()),
+                got: k,
+            });
+        }
+        let no_bound = Found { squared: f64::INFINITY, index: u32::MAX };
+        let mut best = BinaryHeap::with_capacity(k + 1);
+        self.search(query, no_bound, |found| {
+            best.push(found);
+            if best.len() > k {
+                best.pop();
+            }
+            if best.len() < k { no_bound } else { best.peek().copied().unwrap_or(no_bound) }
+        });
+        let found = best.into_sorted_vec();
+        Ok(found.iter().map(|f| (f.squared.sqrt(), f.index as usize)).collect())
+    }
+
+    fn check_query(&self, query: &[f64]) -> Result<(), Error> {
+        check_length("query", query, self.dim)?;
+        check_finite("query", query, self.dim)?;
+        if self.is_empty() { Err(Error::Empty { name: "the set of points" }) } else { Ok(()) }
+    }
+
+    /// Offers to `accept` every point below the current bound, in a good order; `accept`
+    /// answers with the new bound.
+    fn search(&self, query: &[f64], bound: Found, accept: impl FnMut(Found) -> Found) {
+        // With the dimension known to the compiler its loops unroll: among 10,000 points a query
+        // takes 114 ns in the plane instead of 253, 206 ns in space instead of 436 (bench `kdtree`).
+        match self.dim {
+            1 => self.search_in::<1>(query, bound, accept),
+            2 => self.search_in::<2>(query, bound, accept),
+            3 => self.search_in::<3>(query, bound, accept),
+            _ => self.search_in::<0>(query, bound, accept),
+        }
+    }
+
+    /// The search for dimension `DIM`, or for `self.dim` if `DIM` is 0.
+    #[inline(always)]
+    fn search_in<const DIM: usize>(
+        &self,
+        query: &[f64],
+        mut bound: Found,
+        mut accept: impl FnMut(Found) -> Found,
+    ) {
+        let dim = if DIM == 0 { self.dim } else { DIM };
+        let query = &query[..dim];
+        // Nodes still to visit, each with the bound that its box gives: at most one a level.
+        let mut waiting = SmallVec::<[(u32, Found); 32]>::new();
+        let mut next = Some((ROOT, self.box_bound(ROOT, query, dim)));
+        while let Some((node, lower)) = next {
+            if lower < bound {
+                match self.nodes[node as usize].kind {
+                    Kind::Leaf { slot } => {
+                        let size = self.nodes[node as usize].size as usize;
+                        let slot = slot as usize;
+                        let points = &self.leaf_points[slot * LEAF * dim..][..size * dim];
+                        let indices = &self.leaf_indices[slot][..size];
+                        for (point, &index) in points.chunks_exact(dim).zip(indices) {
+                            let found = Found { squared: squared_distance(query, point), index };
+                            if found < bound {
+                                bound = accept(found);
+                            }
+                        }
+                    }
+                    Kind::Split { left, right, .. } => {
+                        let a = (left, self.box_bound(left, query, dim));
+                        let b = (right, self.box_bound(right, query, dim));
+                        let (near, far) = if b.1 < a.1 { (b, a) } else { (a, b) };
+                        if far.1 < bound {
+                            waiting.push(far);
+                        }
+                        next = Some(near);
+                        continue;
+                    }
+                }
+            }
+            next = waiting.pop();
+        }
+    }
+
+    /// A bound from below on all that a node's points could be found as.
+    #[inline(always)]
+    fn box_bound(&self, node: u32, query: &[f64], dim: usize) -> Found {
+        let bounds = &self.boxes[node as usize * 2 * dim..][..2 * dim];
+        let (low, high) = bounds.split_at(dim);
+        let mut squared = 0.0;
+        for j in 0..dim {
+            // Same operations in the same order as squared_distance().
+            let outside = (low[j] - query[j]).max(query[j] - high[j]).max(0.0);
+            squared += outside * outside;
+        }
+        Found { squared, index: self.nodes[node as usize].earliest }
+    }
+}
+
+#[inline(always)]
+fn squared_distance(query: &[f64], point: &[f64]) -> f64 {
+    let mut squared = 0.0;
+    for (x, y) in query.iter().zip(point) {
+        let along = x - y;
+        squared += along * along;
+    }
+    squared
+}

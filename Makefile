@@ -21,6 +21,7 @@ test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every
 bench: $(VENV)/.test develop ## kernels (criterion) and peers; the peers' table goes into the README
 	cargo bench --locked --package divbandit-core
 	$(BIN)/python benches/peers.py --readme README.md
+	$(BIN)/python benches/loop.py
 
 lint: $(VENV)/.test # formatting and linters of both languages
 	cargo fmt --all --check

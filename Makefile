@@ -57,7 +57,7 @@ clean: ## remove all that was built
 
 # The compiled module, built in place; a moment when nothing has changed.
 develop: $(VENV)/.run
-	$(BIN)/maturin develop --quiet --release --locked
+	$(BIN)/maturin develop --release --locked > $(VENV)/develop.log 2>&1 || { cat $(VENV)/develop.log; exit 1; }
 
 $(VENV)/.run: requirements.txt
 	$(PYTHON) -m venv $(VENV)

@@ -42,13 +42,11 @@ def whole(name: str, value: object, *, low: int, high: int | None = None) -> int
 
 def generator(rng: Rng) -> Generator:
     """Return the generator that `rng` is or seeds; a Generator itself is shared, not copied."""
-    if isinstance(rng, bool):
-        raise TypeError("rng must be None, an int, a SeedSequence or a Generator, got bool")
-    try:
-        return np.random.default_rng(rng)
-    except TypeError:
+    allowed = (type(None), Integral, np.random.SeedSequence, np.random.Generator)
+    if isinstance(rng, bool) or not isinstance(rng, allowed):
         raise TypeError(
             f"rng must be None, an int, a SeedSequence or a Generator, got {type(rng).__name__}"
-        ) from None
-    except ValueError:
-        raise ValueError(f"rng must be a seed of at least 0, got {rng!r}") from None
+        )
+    if isinstance(rng, Integral) and rng < 0:
+        raise ValueError(f"rng must be a seed of at least 0, got {rng!r}")
+    return np.random.default_rng(rng)

@@ -40,7 +40,7 @@ def test_figure_2_stays_near_earlier_commands():
 
 def test_figure_2_has_a_panel_for_each_perturbation():
     figure = figure2.draw(figure2.run(0, n=50, jobs=1))
-    assert [ax.get_title() for ax in figure.axes] == [
+    assert [ax.get_title()[4:] for ax in figure.axes] == [
         f"goal babbling, d = {d}" for d in setting.PERTURBATIONS
     ]
     plt.close(figure)

@@ -70,7 +70,7 @@ def test_usage_is_in_per_cent():
 def test_mixtures_draws_means_and_the_bandits_band():
     ax = plot.mixtures(MIXTURES, adapt=(2.1, 0.1), archive=[[0.5, 1.9]])
     labels = ax.get_legend_handles_labels()[1]
-    assert set(labels) == {"mixture", "ADAPT", "archived mixture"}
+    assert set(labels) == {"mixture, ± 1 s.d.", "ADAPT, ± 1 s.d.", "archived mixture"}
     assert any(np.allclose(line.get_ydata(), 2.1) for line in ax.lines)
 
 

@@ -39,7 +39,9 @@ class Adapt(Composite):
     strategies : iterable of Strategy
         Those to choose among; they may be bandits themselves.
     tau : float
-        Radius of the discs, in the units of the effects; positive.
+        Radius of the discs, in the units of the effects; positive. The default is the paper's,
+        for effects of the order of 1. Where it is far too small every effect gains a whole disc,
+        where far too large none gains anything: then the diversities say nothing.
     window : int
         w, how many gains a strategy's diversity is averaged over; from 1 to a million.
     alpha : float

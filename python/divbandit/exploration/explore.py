@@ -39,6 +39,9 @@ def explore(
     ------
     TypeError, ValueError
         If an argument is not what it must be, or the strategy cannot explore this environment.
+    Exception
+        What the environment raises; the run is lost then. For a costly one use `Explorer`, whose
+        history remains.
 
     Examples
     --------
@@ -50,8 +53,8 @@ def explore(
     """
     if not isinstance(environment, Environment):
         raise TypeError(
-            "environment must be callable and have motor_space and sensory_space, "
-            f"got {type(environment).__name__}"
+            "environment must be callable and have motor_space and sensory_space "
+            f"(FunctionEnvironment makes one of a function), got {type(environment).__name__}"
         )
     explorer = Explorer(strategy, environment.motor_space, environment.sensory_space, rng=rng)
     for _ in range(whole("n", n, low=1)):

@@ -86,6 +86,11 @@ class Explorer:
         self._beliefs: dict[int, tuple[float, ...]] = {}
         self._dim_is_checked = self.history.effect_dim is not None
 
+    @property
+    def strategy(self) -> Strategy:
+        """The explorer's own copy of the strategy, with all that it has learned."""
+        return self._strategy
+
     def ask(self) -> Trial:
         """Return a trial: evaluate its command, then tell its effect.
 
@@ -110,7 +115,11 @@ class Explorer:
         """
         proposed = Trial.of(self._strategy.propose(self.history, self._rng))
         # A copy, so that nobody who changes an array in place changes the log.
-        command = self._bounds.command(proposed.command)
+        try:
+            command = self._bounds.command(proposed.command)
+        except (TypeError, ValueError) as error:
+            who = f"proposed by {self._strategy!r}, path {proposed.path}"
+            raise type(error)(f"{error} ({who})") from None
         trial = Trial(command, goal=proposed.goal)
         trial.path, trial.inner, trial.number = proposed.path, proposed, self._asked
         self._open[self._asked] = _Open(trial, command, proposed, self._strategy.diversities)

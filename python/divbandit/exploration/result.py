@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import secrets
+import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -24,7 +25,7 @@ _FORMAT = "divbandit exploration"
 _VERSION = 1
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Exploration:
     """The trace of an exploration: commands, effects, who chose, what the bandit believed.
 
@@ -93,6 +94,10 @@ class Exploration:
 
     def __len__(self) -> int:
         return len(self.effects)
+
+    def __repr__(self) -> str:
+        m, s = self.commands.shape[1], self.effects.shape[1]
+        return f"<Exploration of {len(self)} evaluations, {m} -> {s}>"
 
     @property
     def choices(self) -> NDArray[np.int64]:
@@ -204,6 +209,9 @@ class Exploration:
         """
         with Path(path).open("rb") as file:
             try:
+                if not zipfile.is_zipfile(file):
+                    raise ValueError("it is no npz file, or a part of one")  # noqa: TRY301
+                file.seek(0)
                 with np.load(file, allow_pickle=False) as saved:
                     return cls._from_arrays(dict(saved.items()))
             except Exception as error:  # a damaged file can break its readers in any way
@@ -215,6 +223,8 @@ class Exploration:
     @classmethod
     def _from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Exploration:
         """Rebuild from the arrays of a file, which may hold anything."""
+        if "format" not in arrays:
+            raise ValueError("it does not say its format")
         name, version, *names = (str(word) for word in arrays["format"])
         if name != _FORMAT or int(version) != _VERSION:
             raise ValueError(f"format must be {_FORMAT!r} {_VERSION}, got {name!r} {version}")

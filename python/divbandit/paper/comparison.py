@@ -96,7 +96,7 @@ def save(comparisons: Iterable[Comparison], path: Path) -> None:
 
 
 def table(comparisons: Sequence[Comparison]) -> str:
-    """Return the comparison as text, with a last line that counts the outliers."""
+    """Return the comparison as text, with last lines that count the outliers."""
     lines = ["    d  strategy        mean     std   archive     std  difference (std. errors)"]
     for c in comparisons:
         name, ratio = _named(c.point)
@@ -105,11 +105,13 @@ def table(comparisons: Sequence[Comparison]) -> str:
             f"{c.point.d:5}  {name:7} {ratio:4}  {c.point.mean:8.4f} {c.point.std:7.4f}  "
             f"{c.archived.mean:8.4f} {c.archived.std:7.4f}  {c.difference:+6.2f}{mark}"
         )
-    two, four = (sum(c.beyond(errors) for c in comparisons) for errors in (2, 4))
-    lines.append(
-        f"{len(comparisons)} points; beyond 2 standard errors (*, 0.2 % allowed for the "
-        f"archive's 64-gons): {two}; beyond 4 (**): {four}"
-    )
+    for errors, mark in ((2, "*"), (4, "**")):
+        plain = sum(abs(c.difference) > errors for c in comparisons)
+        allowed = sum(c.beyond(errors) for c in comparisons)
+        lines.append(
+            f"beyond {errors} standard errors: {plain} of {len(comparisons)}; with 0.2 % allowed "
+            f"for the archive's 64-gons ({mark}): {allowed}"
+        )
     return "\n".join(lines)
 
 

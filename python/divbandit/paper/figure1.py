@@ -26,6 +26,7 @@ def draw(exploration: Exploration) -> Figure:
     figure, ax = plt.subplots(figsize=(style.COLUMN, style.COLUMN))
     panel(ax, exploration)
     ax.set_title("motor babbling")
+    ax.legend(*ax.get_legend_handles_labels(), frameon=False, loc="lower left")
     return figure
 
 
@@ -34,4 +35,5 @@ def panel(ax: Axes, exploration: Exploration) -> None:
     arm = setting.arm()
     spread(exploration, unit="m", ax=ax)
     postures([arm.posture(command) for command in exploration.commands[-5:]], unit="m", ax=ax)
-    ax.set(xlim=(-1.05, 1.05), ylim=(-1.05, 1.05))
+    halves = (-1, -0.5, 0, 0.5, 1)
+    ax.set(xlim=(-1.05, 1.05), ylim=(-1.05, 1.05), xticks=halves, yticks=halves)

@@ -37,8 +37,10 @@ def draw(explorations: Sequence[Exploration]) -> Figure:
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
     figure, row = plt.subplots(1, 3, figsize=(style.PAGE, 2.65), sharey=True)
-    for ax, d, exploration in zip(row, setting.PERTURBATIONS, explorations, strict=True):
+    panels = zip("abc", row, setting.PERTURBATIONS, explorations, strict=True)
+    for letter, ax, d, exploration in panels:
         panel(ax, exploration)
-        ax.set_title(f"goal babbling, d = {d}")
+        ax.set_title(f"({letter}) goal babbling, d = {d}")
         ax.label_outer()
+    row[0].legend(*row[0].get_legend_handles_labels(), frameon=False, loc="lower left")
     return figure

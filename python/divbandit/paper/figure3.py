@@ -17,6 +17,7 @@ from divbandit.plot.data import diversities_of, usage_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -30,6 +31,7 @@ class Row:
     d: float
     exploration: Exploration
     mean_usage: NDArray[np.float64]
+    repetitions: int
 
 
 def run(
@@ -51,7 +53,8 @@ def run(
     for index, d in enumerate(setting.PERTURBATIONS):
         of_d = choices[index * repetitions : (index + 1) * repetitions]
         shares = [usage_of(chosen, strategies=2)[:, 0] for chosen in of_d]
-        rows.append(Row(d, _explore((seed, index, 0, n)), np.mean(shares, axis=0)))
+        shown = _explore((seed, index, 0, n))
+        rows.append(Row(d, shown, np.mean(shares, axis=0), repetitions))
     return rows
 
 
@@ -72,25 +75,38 @@ def draw(rows: Sequence[Row]) -> Figure:
     figure, grid = plt.subplots(
         3, 3, figsize=(style.PAGE, 6.6), gridspec_kw={"width_ratios": [1, 1.25, 1.25]}
     )
-    for (left, middle, right), row in zip(grid, rows, strict=True):
+    for letter, (left, middle, right), row in zip("abc", grid, rows, strict=True):
         spread(row.exploration, tau=setting.TAU, unit="m", ax=left)
         covered = coverage(row.exploration.effects, setting.TAU)
-        left.set(xlim=(-1.05, 1.05), ylim=(-1.05, 1.05))
-        left.set_title(f"d = {row.d}: {covered:.2f} m² covered")
+        halves = (-1, -0.5, 0, 0.5, 1)
+        left.set(xlim=(-1.05, 1.05), ylim=(-1.05, 1.05), xticks=halves, yticks=halves)
+        left.set_title(f"({letter}) d = {row.d}: {covered:.2f} m² covered")
 
         diversity(1e4 * diversities_of(row.exploration), labels=setting.LABELS, ax=middle)
-        middle.set_ylabel("diversity (cm² per effect)")
+        middle.set_ylabel("diversity: mean gain (cm²)")
+        middle.set_title(f"diversity, d = {row.d}")
 
         usage(row.exploration, labels=setting.LABELS, ax=right)
-        for line in right.lines:
-            line.set(linewidth=0.5, alpha=0.55)
-        steps = np.arange(1, len(row.mean_usage) + 1)
-        shares = (row.mean_usage, 1 - row.mean_usage)
-        for share, colour in zip(shares, style.COLOURS, strict=False):
-            right.plot(steps, 100 * share, color=colour, linewidth=1.6)
+        right.set_title(f"usage, d = {row.d}")
+        _emphasise_means(right, row)
         for ax in (middle, right):
             if row is not rows[0]:
                 ax.get_legend().remove()
-    grid[0, 1].set_title("diversity of each strategy")
-    grid[0, 2].set_title("usage (thick: mean over repetitions)")
     return figure
+
+
+def _emphasise_means(ax: Axes, row: Row) -> None:
+    """Draw the mean usages over a run's own, which become thin."""
+    from matplotlib.lines import Line2D  # noqa: PLC0415
+
+    for line in ax.lines:
+        line.set(linewidth=0.5, alpha=0.55, label=None)
+    steps = np.arange(1, len(row.mean_usage) + 1)
+    shares = (row.mean_usage, 1 - row.mean_usage)
+    for share, colour in zip(shares, style.COLOURS, strict=False):
+        ax.plot(steps, 100 * share, color=colour, linewidth=1.6)
+    key = [
+        Line2D([], [], color="black", linewidth=0.5, label="this run"),
+        Line2D([], [], color="black", linewidth=1.6, label=f"mean of {row.repetitions} runs"),
+    ]
+    ax.legend(handles=key, frameon=False)

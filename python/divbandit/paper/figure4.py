@@ -85,7 +85,7 @@ def draw(points: Sequence[Point]) -> Figure:
 
     archived = archive()
     figure, row = plt.subplots(1, 3, figsize=(style.PAGE, 2.5))
-    for ax, d in zip(row, setting.PERTURBATIONS, strict=True):
+    for letter, ax, d in zip("abc", row, setting.PERTURBATIONS, strict=True):
         of_d = [point for point in points if point.d == d]
         adapt = next(point for point in of_d if point.motor_ratio is None)
         mixtures(
@@ -97,7 +97,9 @@ def draw(points: Sequence[Point]) -> Figure:
             unit="m²",
             ax=ax,
         )
-        ax.set_title(f"d = {d}")
+        before = next(p.mean for p in archived if p.key == (d, None))
+        ax.axhline(before, color="black", linestyle="--", linewidth=0.5, label="archived ADAPT")
+        ax.set_title(f"({letter}) d = {d}")
     for ax in row[1:]:
         ax.set_ylabel("")
     row[0].legend(frameon=False, loc="lower right")

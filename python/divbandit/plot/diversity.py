@@ -70,11 +70,13 @@ def curves(ax: Axes, values: np.ndarray, labels: Sequence[str] | None) -> None:
     """Draw one line a strategy against the steps, with a legend if they have names."""
     steps = np.arange(1, len(values) + 1)
     for index in range(values.shape[1]):
+        colour, pattern = style.line_of(index)
         ax.plot(
             steps,
             values[:, index],
-            color=style.COLOURS[index % len(style.COLOURS)],
             label=None if labels is None else labels[index],
+            color=colour,
+            linestyle=pattern,
         )
     ax.set_xlim(0, len(values))
     ax.set_xlabel("step")

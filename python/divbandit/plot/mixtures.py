@@ -72,21 +72,21 @@ def mixtures(
         linewidth=0.8,
         elinewidth=0.6,
         capsize=1.5,
-        label="mixture",
+        label="mixture, ± 1 s.d.",
     )
     if adapt is not None:
         mean, deviation = adapt
         colour = style.COLOURS[1]
         ax.axhspan(mean - deviation, mean + deviation, color=colour, alpha=0.2, linewidth=0)
-        ax.axhline(mean, color=colour, linestyle=":", label="ADAPT")
+        ax.axhline(mean, color=colour, linestyle=":", label="ADAPT, ± 1 s.d.")
     if len(found):
         ax.plot(
             found[:, 0],
             found[:, 1],
             linestyle="none",
             marker="x",
-            markersize=3,
-            markeredgewidth=0.7,
+            markersize=2.5,
+            markeredgewidth=0.6,
             color="black",
             label="archived mixture",
             zorder=3,

@@ -59,8 +59,21 @@ def postures(data: ArrayLike, *, unit: str = "", ax: Axes | None = None) -> Axes
             markersize=1.5,
             markeredgewidth=0,
         )
-        ax.plot(*chain[-1], color=style.COLOURS[1], marker="o", markersize=3, zorder=3)
-    ax.plot(*chains[0, 0], color="black", marker="s", markersize=3.5, zorder=3)
+    orange = style.COLOURS[1]
+    for points, marker, colour, name in (
+        (chains[:, -1], "o", orange, "tip"),
+        (chains[:1, 0], "s", "black", "base"),
+    ):
+        ax.plot(
+            points[:, 0],
+            points[:, 1],
+            linestyle="none",
+            marker=marker,
+            markersize=3,
+            color=colour,
+            zorder=3,
+            label=name,
+        )
     ax.set_aspect("equal")
     ax.set_xlabel(style.with_unit("x", unit))
     ax.set_ylabel(style.with_unit("y", unit))

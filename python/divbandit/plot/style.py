@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 #: One colour a strategy, in order.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
+#: One pattern for each round through the colours.
+PATTERNS = ("-", "--", ":", "-.")
 #: The covered area, under everything else.
 COVERED = "#A9D1EC"
 #: Single effects.
@@ -32,6 +34,12 @@ def axes(ax: Axes | None) -> Axes:
     except ImportError as error:
         raise ImportError("figures need matplotlib: pip install 'divbandit[plot]'") from error
     return plt.subplots()[1]
+
+
+def line_of(index: int) -> tuple[str, str]:
+    """Return the colour and the pattern of the line of strategy `index`."""
+    pattern = PATTERNS[index // len(COLOURS) % len(PATTERNS)]
+    return COLOURS[index % len(COLOURS)], pattern
 
 
 def with_unit(label: str, unit: str) -> str:

@@ -136,14 +136,18 @@ class Strategy(ABC):
 
         Examples
         --------
+        An explorer works on a copy of the strategy, ``explorer.strategy``: what it has learned is
+        read there.
+
         >>> import divbandit as db
         >>> class Watchful(db.MotorBabbling):
-        ...     best = -1.0
+        ...     farthest = 0.0
         ...     def observe(self, trial, effect):
-        ...         Watchful.best = max(Watchful.best, float(effect[0]))
-        >>> run = db.explore(db.PlanarArm(3), Watchful(), n=10, rng=0)
-        >>> bool(Watchful.best == run.effects[:, 0].max())
-        True
+        ...         self.farthest = max(self.farthest, float(effect[0]))
+        >>> explorer = db.Explorer(Watchful(), db.Box([0], [1]), rng=0)
+        >>> explorer.tell(explorer.ask(), [3.0])
+        >>> explorer.strategy.farthest
+        3.0
         """
 
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:  # noqa: B027
@@ -165,8 +169,11 @@ class Strategy(ABC):
         >>> db.GoalBabbling().check(db.Box([0], [1]), 2, has_goals=False)
         Traceback (most recent call last):
             ...
-        ValueError: goals must be given to GoalBabbling: the environment has no sensory space
+        ValueError: goals must be given to GoalBabbling: there is no sensory space to draw them from
         """
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}()"
 
     @property
     def diversities(self) -> tuple[float, ...] | None:

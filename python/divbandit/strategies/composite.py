@@ -101,16 +101,24 @@ class Composite(Strategy):
             strategy.check(motor_space, effect_dim, has_goals=has_goals)
 
 
-def proportionally(weights: Iterable[float], u: float) -> int:
-    """Return an index with probability proportional to its weight; uniformly if all are 0.
+def total_of(weights: Iterable[float]) -> float:
+    """Return the sum in plain order.
 
-    `u` is uniform in [0, 1). The sum runs in plain order: the built-in ``sum`` rounds
-    differently from one version of Python to another.
+    The built-in ``sum`` rounds differently from one version of Python to another.
     """
-    weights = list(weights)
     total = 0.0
     for weight in weights:
         total += weight
+    return total
+
+
+def proportionally(weights: Iterable[float], u: float) -> int:
+    """Return an index with probability proportional to its weight; uniformly if all are 0.
+
+    `u` is uniform in [0, 1).
+    """
+    weights = list(weights)
+    total = total_of(weights)
     if total <= 0.0:
         return int(u * len(weights))
     left = u * total

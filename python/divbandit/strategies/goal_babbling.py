@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from divbandit.history import History
 
 
+_NO_GOALS = "goals must be given to GoalBabbling: there is no sensory space to draw them from"
+
+
 class GoalBabbling(Strategy):
     """Random goal babbling, RGB(d) (Benureau and Oudeyer 2015, section III).
 
@@ -52,9 +55,7 @@ class GoalBabbling(Strategy):
         del motor_space
         if self.goals is None:
             if not has_goals:
-                raise ValueError(
-                    "goals must be given to GoalBabbling: the environment has no sensory space"
-                )
+                raise ValueError(_NO_GOALS)
         elif effect_dim is not None and self.goals.dim != effect_dim:
             raise ValueError(
                 f"goals must have the dimension of the effects, {effect_dim}, got {self.goals.dim}"
@@ -66,7 +67,7 @@ class GoalBabbling(Strategy):
             return Trial(history.motor_space.sample(rng))
         goals = self.goals if self.goals is not None else history.sensory_space
         if goals is None:
-            raise ValueError("goals must be given to GoalBabbling: history has no sensory space")
+            raise ValueError(_NO_GOALS)
         goal = goals.sample(rng)
         return Trial(history.inverse(goal, rng, d=self.d), goal=goal)
 

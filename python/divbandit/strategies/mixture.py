@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import TYPE_CHECKING
 
 from divbandit._core import as_point
-from divbandit.strategies.composite import Composite, proportionally
+from divbandit.strategies.composite import Composite, proportionally, total_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -48,9 +49,8 @@ class Mixture(Composite):
         for index, weight in enumerate(self.weights):
             if weight < 0:
                 raise ValueError(f"weights[{index}] must not be negative, got {weight!r}")
-        total = sum(self.weights)
-        if not 0 < total < float("inf"):
-            raise ValueError(f"weights must have a positive, finite sum, got {total!r}")
+        if not 0 < total_of(self.weights) < inf:
+            raise ValueError(f"weights must have a positive, finite sum, got {list(self.weights)}")
 
     def choose(self, history: History, rng: Generator) -> int:
         """Draw a strategy: one ``rng.random()``."""

@@ -26,6 +26,3 @@ class MotorBabbling(Strategy):
     def propose(self, history: History, rng: Generator) -> Trial:
         """Draw a command: one ``rng.random()`` a coordinate."""
         return Trial(history.motor_space.sample(rng))
-
-    def __repr__(self) -> str:
-        return "MotorBabbling()"

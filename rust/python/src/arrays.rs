@@ -108,6 +108,7 @@ fn point_shape(length: Option<usize>) -> String {
 
 fn wrong_shape(name: &str, must_be: &str, got: &[usize]) -> PyErr {
     let got = match got {
+        [] => "a single number (put it in a list)".to_owned(),
         [one] => format!("({one},)"),
         _ => format!("({})", got.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
     };

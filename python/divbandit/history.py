@@ -185,7 +185,7 @@ class History:
         """Inverse_d(goal): the command of the nearest effect, perturbed.
 
         Each coordinate is uniform within the share `d` of its motor range around that command,
-        inside the motor space (Benureau and Oudeyer 2015, section III).
+        inside the motor space (Inverse_d and Perturb_d of Benureau and Oudeyer 2015).
 
         Parameters
         ----------

@@ -27,7 +27,7 @@ _LONGEST = 1_000_000
 
 
 class Adapt(Composite):
-    """ADAPT(w, tau, alpha) (Benureau and Oudeyer 2015, section V).
+    """ADAPT(w, tau, alpha) (Benureau and Oudeyer 2015, figures 3 and 4).
 
     With probability alpha a strategy uniformly at random; otherwise strategy j with probability
     proportional to its diversity, the mean gain of the last w effects that it produced. The gain

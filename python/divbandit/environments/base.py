@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class Environment(Protocol):
-    """A black box f: M -> S (Benureau and Oudeyer 2015, section II).
+    """A black box f: M -> S (Benureau and Oudeyer 2015).
 
     Anything with these three is one; no base class is needed.
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class PlanarArm:
     """A planar arm: joint angles in, position of the tip out.
 
-    The environment of Benureau and Oudeyer (2015, section IV). Its segments are equal and
+    The environment of Benureau and Oudeyer (2015). Its segments are equal and
     together 1 m long, its base is at the origin. Each angle, in radians, is relative to the
     segment before; with all of them 0 the arm lies along +x.
 

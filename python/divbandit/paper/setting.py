@@ -1,4 +1,4 @@
-"""The setting of the paper's experiments (Benureau and Oudeyer 2015, sections IV and VI)."""
+"""The setting of the paper's experiments (Benureau and Oudeyer 2015, figures 1 to 4)."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ _NO_GOALS = "goals must be given to GoalBabbling: there is no sensory space to d
 
 
 class GoalBabbling(Strategy):
-    """Random goal babbling, RGB(d) (Benureau and Oudeyer 2015, section III).
+    """Random goal babbling, RGB(d) (Benureau and Oudeyer 2015, figure 2).
 
     A goal is drawn uniformly, and the inverse model turns it into a command: that of the
     observed effect nearest to the goal, perturbed by up to the share `d` of each motor range.

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Mixture(Composite):
-    """Strategy j with probability p_j, always (Benureau and Oudeyer 2015, section III).
+    """Strategy j with probability p_j, always (Benureau and Oudeyer 2015, figure 4).
 
     Parameters
     ----------

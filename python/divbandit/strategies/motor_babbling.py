@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class MotorBabbling(Strategy):
-    """Random motor babbling: commands uniform in M (Benureau and Oudeyer 2015, section III).
+    """Random motor babbling: commands uniform in M (Benureau and Oudeyer 2015, figure 1).
 
     Examples
     --------

@@ -1,4 +1,4 @@
-//! Forward kinematics of a planar arm: the paper's environment (section IV).
+//! Forward kinematics of a planar arm: the paper's environment.
 //!
 //! The arm has equal segments of total length 1 and its base at the origin. A command holds
 //! one angle a joint, in radians, each relative to the segment before; with all of them 0

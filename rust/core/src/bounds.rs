@@ -93,7 +93,7 @@ impl Bounds {
         self.low.iter().zip(&self.high).map(|(&low, &high)| between(low, high, stream)).collect()
     }
 
-    /// Perturb_d, the paper's exploration around a known command (section III).
+    /// Perturb_d, the paper's exploration around a known command.
     ///
     /// Each coordinate is uniform in [max(a, x - d (b - a)), min(b, x + d (b - a))], where
     /// [a, b] is its range: one draw a coordinate, in order.

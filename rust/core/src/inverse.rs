@@ -1,4 +1,4 @@
-//! Inverse_d, the paper's inverse model (section III): the command of the observed effect
+//! Inverse_d, the paper's inverse model: the command of the observed effect
 //! nearest to the goal, perturbed.
 
 use crate::bounds::{Bounds, UniformStream};

@@ -10,7 +10,7 @@ use crate::arrays::{Floats, count, number};
 use crate::errors::value_error;
 
 /// The diversity C_tau of a growing set of effects: the measure of the union of the balls of
-/// radius tau around them (Benureau and Oudeyer 2015, section II).
+/// radius tau around them (Benureau and Oudeyer 2015).
 ///
 /// In the plane it is the exact area of a union of discs: each gain is right to some 1e-14 of
 /// a disc's area. The time of a gain grows with the number of effects within 2 tau that covered
@@ -174,7 +174,7 @@ impl PyCoverage {
     }
 }
 
-/// The diversity C_tau of a whole set of effects at once (Benureau and Oudeyer 2015, section II).
+/// The diversity C_tau of a whole set of effects at once (Benureau and Oudeyer 2015).
 ///
 /// Parameters
 /// ----------

@@ -25,9 +25,7 @@ again = db.Exploration.load("smoke.npz")
 assert np.array_equal(again.commands, run.commands)
 
 try:
-    from divbandit import plot
-
-    plot.spread(run)
+    db.plot.spread(run)
 except ImportError as error:
     assert "divbandit[plot]" in str(error), error  # noqa: PT017 - no pytest here
 else:

@@ -5,9 +5,10 @@ outputs? Several exploration strategies are treated as the arms of a bandit whos
 new volume that their effects cover (Benureau and Oudeyer, ICDL-EpiRob 2015).
 
 The names below follow the data: environment -> strategy -> effect -> gain -> bandit ->
-exploration. Figures are in `divbandit.plot`.
+exploration -> figure (`plot`, which needs matplotlib only when it draws).
 """
 
+from divbandit import plot
 from divbandit._core import NearestNeighbors
 from divbandit.bandits import Adapt
 from divbandit.box import Box
@@ -45,4 +46,5 @@ __all__ = [
     "Trial",
     "coverage",
     "explore",
+    "plot",
 ]

@@ -30,7 +30,7 @@ def test_a_function_is_told_of_function_environment():
 
 def test_a_scalar_effect_is_told_to_be_a_list():
     box = db.FunctionEnvironment(lambda x: x[0], ARM.motor_space)
-    with pytest.raises(ValueError, match="effect .* put it in a list"):
+    with pytest.raises(ValueError, match=r"effect .* \(put it in a list\)"):
         box([0.0, 0.0])
 
 

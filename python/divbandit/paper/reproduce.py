@@ -52,6 +52,7 @@ def reproduce(
         All randomness comes from it.
     jobs : int, optional
         How many processes; by default as many as there are cores. The files do not depend on it.
+        With more than 1, a script calls this under ``if __name__ == "__main__":``.
     bar : callable, optional
         Opens a progress bar, given a name and a number of steps.
 

@@ -1,6 +1,6 @@
 //! Directions, arcs and contacts on circles of radius 1.
 //!
-//! A direction is a unit vector together with its *turn*, a number in [0, 4) that grows with
+//! A direction is a unit vector together with its *turn*, a number in [0, 4] that grows with
 //! the angle but costs one division instead of an arc tangent. Arcs never pass over turn 0:
 //! an interval that does is two arcs. Angles in radians are needed for areas alone, and there
 //! they come from `libm`'s arc tangent, a fixed sequence of plain operations.
@@ -66,8 +66,8 @@ impl Arc {
     pub fn angle(self) -> f64 {
         let Self { from, to } = self;
         let angle = libm::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
-        // The arc tangent knows the angle but for whole circles; the turns, coarse as they
-        // may be, tell the two cases apart.
+        // The arc tangent gives the angle but for a whole circle more or less, in (-pi, pi];
+        // the turns, which are no angles but near enough, tell whether one is missing.
         if angle < 0.0 && to.turn - from.turn > 1.0 {
             angle + 2.0 * std::f64::consts::PI
         } else if angle == 0.0 && to.turn - from.turn > 3.0 {

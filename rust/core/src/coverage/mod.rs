@@ -13,12 +13,16 @@
 
 mod circle;
 mod grid;
+mod sum;
+mod survey;
 
 use smallvec::SmallVec;
 
 use crate::error::{Error, check_finite, check_length, check_rows};
-use circle::{Arc, Contact, Direction, Neighbour};
+use circle::Arc;
 use grid::{Entry, Grid};
+use sum::CompensatedSum;
+use survey::{Survey, twice_area_under};
 
 /// The union of the discs of radius tau around effects in the plane.
 #[derive(Debug, Clone)]
@@ -30,21 +34,6 @@ pub struct Coverage {
     exposed: Vec<SmallVec<[Arc; 2]>>,
     grid: Grid,
     survey: Survey,
-}
-
-/// What a new disc would change. Kept between calls for its memory alone.
-#[derive(Debug, Clone, Default)]
-struct Survey {
-    /// The stored discs that may overlap the new one.
-    neighbours: Vec<Neighbour>,
-    /// The parts of the new circle that lie in older discs, in any order.
-    covered: Vec<Arc>,
-    /// The parts that lie in none.
-    own: SmallVec<[Arc; 2]>,
-    /// Older discs of which arcs are swallowed, and the part of their circle inside the new disc.
-    swallowing: Vec<(u32, Direction, Direction)>,
-    /// Twice the area added, in squared radii.
-    twice_gain: f64,
 }
 
 impl Coverage {
@@ -112,7 +101,7 @@ impl Coverage {
     /// If `effect` is not finite.
     pub fn gain(&mut self, effect: [f64; 2]) -> Result<f64, Error> {
         check_finite("effect", &effect, 2)?;
-        self.explore(effect);
+        self.look_at(effect);
         Ok(self.surveyed_gain())
     }
 
@@ -141,11 +130,11 @@ impl Coverage {
     }
 
     fn insert(&mut self, effect: [f64; 2]) -> f64 {
-        self.explore(effect);
+        self.look_at(effect);
         let gain = self.surveyed_gain();
         self.len += 1;
         self.measure.add(gain);
-        if !self.survey.own.is_empty() || !self.survey.swallowing.is_empty() {
+        if self.survey.changes_boundary() {
             self.commit(effect);
         }
         gain
@@ -156,24 +145,8 @@ impl Coverage {
         (0.5 * self.survey.twice_gain * self.tau * self.tau).clamp(0.0, self.disc_area())
     }
 
-    /// Finds out what a disc at `effect` would change.
-    fn explore(&mut self, [x, y]: [f64; 2]) {
-        let Self { tau, exposed, grid, survey, .. } = self;
-        survey.clear();
-        survey.find_neighbours(grid, *tau, (x, y));
-        if survey.neighbours.iter().any(|near| near.squared < f64::MIN_POSITIVE) {
-            return; // a duplicate: nothing changes
-        }
-        for index in 0..survey.neighbours.len() {
-            let other = survey.neighbours[index];
-            let Some(contact) = Contact::with(&other, (x, y), *tau) else { continue };
-            survey.cover(contact);
-            let arcs = &exposed[other.disc as usize];
-            if !arcs.is_empty() {
-                survey.swallow(other.disc, arcs, contact, (other.dx, other.dy));
-            }
-        }
-        survey.expose();
+    fn look_at(&mut self, [x, y]: [f64; 2]) {
+        self.survey.of_disc((x, y), self.tau, &self.grid, &self.exposed);
     }
 
     /// Makes the surveyed change.
@@ -206,112 +179,5 @@ impl Coverage {
             }
         }
         0.5 * twice.total() * self.tau * self.tau
-    }
-}
-
-impl Survey {
-    fn clear(&mut self) {
-        self.neighbours.clear();
-        self.covered.clear();
-        self.own.clear();
-        self.swallowing.clear();
-        self.twice_gain = 0.0;
-    }
-
-    /// Collects the stored discs that overlap a new one, or nearly do.
-    ///
-    /// Two in three centres in the cells around lie too far away, in no predictable order:
-    /// each is written, and the place kept only if it is near.
-    fn find_neighbours(&mut self, grid: &Grid, tau: f64, (x, y): (f64, f64)) {
-        for cell in grid.around(x, y) {
-            let start = self.neighbours.len();
-            self.neighbours.resize(start + cell.len(), Neighbour::default());
-            let mut end = start;
-            for entry in cell {
-                let (dx, dy) = ((entry.x - x) / tau, (entry.y - y) / tau);
-                let squared = dx * dx + dy * dy;
-                let Entry { x, y, disc } = *entry;
-                self.neighbours[end] = Neighbour { disc, x, y, dx, dy, squared };
-                // 4 but for rounding; what lies between, the contact decides precisely.
-                end += usize::from(squared <= 4.000_000_000_001);
-            }
-            self.neighbours.truncate(end);
-        }
-    }
-
-    /// Notes the part of the new circle that an older disc covers.
-    #[inline]
-    fn cover(&mut self, contact: Contact) {
-        let (one, other) = Arc::between(contact.from, contact.to);
-        self.covered.push(one);
-        self.covered.extend(other);
-    }
-
-    /// Notes which of an older disc's exposed `arcs` lie in the new disc, and their integral.
-    #[inline]
-    fn swallow(&mut self, disc: u32, arcs: &[Arc], contact: Contact, centre: (f64, f64)) {
-        let (from, to) = contact.swallowed();
-        let (one, other) = Arc::between(from, to);
-        let mut touched = false;
-        for &arc in arcs {
-            for part in [Some(one), other].into_iter().flatten() {
-                if let Some(stretch) = arc.common(part) {
-                    self.twice_gain -= twice_area_under(stretch, centre);
-                    touched = true;
-                }
-            }
-        }
-        if touched {
-            self.swallowing.push((disc, from, to));
-        }
-    }
-
-    /// Finds the gaps that the covered parts leave on the new circle.
-    fn expose(&mut self) {
-        self.covered.sort_unstable_by(|a, b| a.from.turn.total_cmp(&b.from.turn));
-        let mut reached = Direction::START;
-        for arc in &self.covered {
-            if arc.from.turn > reached.turn {
-                self.own.push(Arc { from: reached, to: arc.from });
-            }
-            if arc.to.turn > reached.turn {
-                reached = arc.to;
-            }
-        }
-        if reached.turn < Direction::END.turn {
-            self.own.push(Arc { from: reached, to: Direction::END });
-        }
-        for &arc in &self.own {
-            self.twice_gain += arc.angle();
-        }
-    }
-}
-
-/// The integral of x dy - y dx along an arc of the unit circle around `(cx, cy)`.
-#[inline]
-fn twice_area_under(arc: Arc, (cx, cy): (f64, f64)) -> f64 {
-    arc.angle() + (cx * (arc.to.y - arc.from.y) - cy * (arc.to.x - arc.from.x))
-}
-
-/// A sum that carries its rounding error along (Neumaier), so that a million gains do not drift.
-#[derive(Debug, Clone, Copy, Default)]
-struct CompensatedSum {
-    sum: f64,
-    error: f64,
-}
-
-impl CompensatedSum {
-    fn add(&mut self, value: f64) {
-        let sum = self.sum + value;
-        self.error += if self.sum.abs() >= value.abs() {
-            (self.sum - sum) + value
-        } else {
-            (value - sum) + self.sum
-        };
-        self.sum = sum;
-    }
-
-    fn total(&self) -> f64 {
-        self.sum + self.error
     }
 }

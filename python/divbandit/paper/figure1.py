@@ -35,5 +35,10 @@ def panel(ax: Axes, exploration: Exploration) -> None:
     arm = setting.arm()
     spread(exploration, unit="m", ax=ax)
     postures([arm.posture(command) for command in exploration.commands[-5:]], unit="m", ax=ax)
+    frame(ax)
+
+
+def frame(ax: Axes) -> None:
+    """Show all that an arm of 1 m could reach."""
     halves = (-1, -0.5, 0, 0.5, 1)
     ax.set(xlim=(-1.05, 1.05), ylim=(-1.05, 1.05), xticks=halves, yticks=halves)

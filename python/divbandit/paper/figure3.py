@@ -11,6 +11,7 @@ from divbandit.experiments import run_all
 from divbandit.exploration import Exploration, explore
 from divbandit.measures import coverage
 from divbandit.paper import setting
+from divbandit.paper.figure1 import frame
 from divbandit.plot import diversity, spread, style, usage
 from divbandit.plot.data import diversities_of, usage_of
 
@@ -53,6 +54,7 @@ def run(
     for index, d in enumerate(setting.PERTURBATIONS):
         of_d = choices[index * repetitions : (index + 1) * repetitions]
         shares = [usage_of(chosen, strategies=2)[:, 0] for chosen in of_d]
+        # Made once more: cheaper than to send every exploration between processes.
         shown = _explore((seed, index, 0, n))
         rows.append(Row(d, shown, np.mean(shares, axis=0), repetitions))
     return rows
@@ -78,8 +80,7 @@ def draw(rows: Sequence[Row]) -> Figure:
     for letter, (left, middle, right), row in zip("abc", grid, rows, strict=True):
         spread(row.exploration, tau=setting.TAU, unit="m", ax=left)
         covered = coverage(row.exploration.effects, setting.TAU)
-        halves = (-1, -0.5, 0, 0.5, 1)
-        left.set(xlim=(-1.05, 1.05), ylim=(-1.05, 1.05), xticks=halves, yticks=halves)
+        frame(left)
         left.set_title(f"({letter}) d = {row.d}: {covered:.2f} m² covered")
 
         diversity(1e4 * diversities_of(row.exploration), labels=setting.LABELS, ax=middle)

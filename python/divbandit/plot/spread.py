@@ -55,9 +55,9 @@ def spread(
     effects = effects_of(data)
     tau = None if tau is None else Coverage(tau).tau
     ax = style.axes(ax)
-    from matplotlib.collections import EllipseCollection  # noqa: PLC0415
-
     if tau is not None:
+        from matplotlib.collections import EllipseCollection  # noqa: PLC0415
+
         size = [2 * tau] * len(effects)
         discs = EllipseCollection(
             size,

@@ -1,6 +1,7 @@
 //! The diversity measure: what a growing set of effects covers.
 
 mod plane;
+pub mod space;
 mod sum;
 
 use crate::error::{Error, check_finite, check_length, check_rows};

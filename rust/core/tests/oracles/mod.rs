@@ -3,6 +3,8 @@
 
 #![allow(dead_code, reason = "each test takes the part that it needs")]
 
+pub mod space;
+
 use proptest::test_runner::{Config, RngSeed};
 
 /// A property test of `cases` cases that are the same in every run.

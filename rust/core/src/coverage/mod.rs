@@ -1,5 +1,6 @@
 //! The diversity measure: what a growing set of effects covers.
 
+pub mod estimate;
 mod plane;
 pub mod space;
 mod sum;

@@ -6,6 +6,7 @@ import divbandit as db
 from tests.bad_values import (
     COUNTS,
     NOT_GENERATORS,
+    NOT_MEASURES,
     NOT_PHASES,
     NOT_SEEDS,
     NOT_STRATEGIES,
@@ -18,6 +19,7 @@ from tests.bad_values import (
 from tests.world import InTurn
 
 RMB, Function, Tree = db.MotorBabbling(), db.FunctionEnvironment, db.NearestNeighbors
+Grid = db.GridCoverage
 
 
 def without(values, *names):
@@ -31,10 +33,15 @@ BATCH = POINTS | {"a bad row": [[0, 0], [math.nan, 0]], "a row beyond": [[0, 0],
 SIZED = without(POINTS, "too short", "too long")
 CORNERS = without(points(1), "empty", "too short", "too long")
 POSITIVE = NUMBERS | {"zero": 0.0, "below zero": -0.1}
+# A number, or one for each of two coordinates.
+PLACES = without(NUMBERS, "an array") | {"three": [1.0, 1.0, 1.0], "rows": [[1.0, 1.0]]}
+EDGES = PLACES | {"zero": 0.0, "below zero": -0.1, "one is zero": [1.0, 0.0]}
 SHARE = NUMBERS | {"below zero": -1e-9, "above one": 1 + 1e-9}
 FROM_1 = COUNTS | {"zero": 0}
 HUGE = {"huge": 2**63, "very huge": 10**30}
 BEYOND = {"beyond": [0.0, 1.5]}
+FAR = {"far": [0.0, 1e301]}
+FAR_ROWS = {"a far second row": [[0.0, 0.0], [-1e301, 0.0]]}
 PATHS = {"text": "ab", "a number": 1, "None": None, "floats": (0.5,), "negative": (-1,)}
 NOT_TRIALS = {"None": None, "a command": [0.0, 0.0], "text": "ab"}
 NOT_WORLDS = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "an object": object()}
@@ -73,6 +80,13 @@ TABLE = [
         COUNTS | HUGE | NONE | {"51": 51},
         lambda _, x: db.Adapt([RMB], head_start=x),
     ),
+    ("Adapt", "measure", NOT_MEASURES, lambda _, x: db.Adapt([RMB], measure=x)),
+    (
+        "Adapt with a measure",
+        "tau",
+        NUMBERS | {"another": 0.1},
+        lambda _, x: db.Adapt([RMB], tau=x, measure=Grid(1.0)),
+    ),
     ("Composite", "strategies", NOT_STRATEGIES, lambda _, x: InTurn(x)),
     ("explore", "environment", NOT_WORLDS, lambda w, x: db.explore(x, RMB, n=1, rng=w.rng)),
     ("explore", "strategy", NOT_ONE, lambda w, x: db.explore(w.arm, x, n=1, rng=w.rng)),
@@ -101,6 +115,24 @@ TABLE = [
     ("Coverage.add", "effect", POINTS, lambda w, x: w.coverage.add(x)),
     ("Coverage.gain", "effect", POINTS, lambda w, x: w.coverage.gain(x)),
     ("Coverage.extend", "effects", ROWS, lambda w, x: w.coverage.extend(x)),
+    ("GridCoverage", "cell", EDGES, lambda _, x: Grid(x)),
+    ("GridCoverage", "dim", FROM_1 | HUGE | NONE, lambda _, x: Grid(1.0, dim=x)),
+    ("GridCoverage", "origin", PLACES, lambda _, x: Grid(1.0, origin=x)),
+    ("GridCoverage.add", "effect", POINTS, lambda w, x: w.grid.add(x)),
+    ("GridCoverage.gain", "effect", POINTS, lambda w, x: w.grid.gain(x)),
+    ("GridCoverage.extend", "effects", ROWS, lambda w, x: w.grid.extend(x)),
+    ("GridCoverage.add", "effect", FAR, lambda _, x: Grid(1e-10).add(x)),
+    ("Sparseness", "k", FROM_1 | NONE, lambda _, x: db.Sparseness(x)),
+    ("Sparseness", "dim", FROM_1 | HUGE | NONE, lambda _, x: db.Sparseness(dim=x)),
+    ("Sparseness.add", "effect", POINTS | FAR, lambda w, x: w.sparseness.add(x)),
+    ("Sparseness.gain", "effect", POINTS | FAR, lambda w, x: w.sparseness.gain(x)),
+    ("Sparseness.extend", "effects", ROWS | FAR_ROWS, lambda w, x: w.sparseness.extend(x)),
+    ("Entropy", "cell", EDGES, lambda _, x: db.Entropy(x)),
+    ("Entropy", "dim", FROM_1 | HUGE | NONE, lambda _, x: db.Entropy(1.0, dim=x)),
+    ("Entropy", "origin", PLACES, lambda _, x: db.Entropy(1.0, origin=x)),
+    ("Entropy.add", "effect", POINTS, lambda w, x: w.entropy.add(x)),
+    ("Entropy.gain", "effect", POINTS, lambda w, x: w.entropy.gain(x)),
+    ("Entropy.extend", "effects", ROWS, lambda w, x: w.entropy.extend(x)),
     ("coverage", "effects", ROWS, lambda _, x: db.coverage(x, 1.0)),
     ("coverage", "tau", POSITIVE, lambda _, x: db.coverage([[0.0, 0.0]], x)),
     ("Tree", "dim", FROM_1 | NONE | {"huge": 2**64}, lambda _, x: Tree(x)),
@@ -109,5 +141,7 @@ TABLE = [
     ("Tree.nearest", "query", POINTS, lambda w, x: w.tree.nearest(x)),
     ("Tree.nearest", "k", FROM_1 | HUGE | {"4": 4}, lambda w, x: w.tree.nearest([0, 0], k=x)),
     ("Exploration.coverage", "tau", POSITIVE, lambda w, x: w.run.coverage(x)),
+    ("Exploration.diversity", "measure", NOT_MEASURES | NONE, lambda w, x: w.run.diversity(x)),
+    ("diversity", "measure", {"of 3": Grid(1.0, dim=3)}, lambda w, x: w.run.diversity(x)),
     ("Exploration.load", "PathLike", {"None": None, "7": 7}, lambda _, x: db.Exploration.load(x)),
 ]

@@ -11,6 +11,26 @@ import divbandit as db
 RMB = db.MotorBabbling()
 
 
+class Odd(db.GridCoverage):
+    """A measure that says something wrong of itself."""
+
+    dim, largest_gain = 2, 1.0
+
+    def __init__(self, **wrong):
+        super().__init__(0.5)
+        for name, value in wrong.items():
+            setattr(self, name, value)
+
+    def __len__(self):
+        return 0
+
+
+def filled_grid():
+    grid = db.GridCoverage(0.5)
+    grid.add([0.0, 0.0])
+    return grid
+
+
 def points(n):
     """Return what is no finite point of R^n inside [-1, 1]^n, nor an array of such."""
     return {
@@ -114,6 +134,22 @@ NOT_STRATEGIES = {
     "a number": 5,
     "one is None": [RMB, None],
     "one is an object": [RMB, object()],
+}
+
+NOT_MEASURES = {
+    "text": "ab",
+    "a number": 0.02,
+    "a class": db.GridCoverage,
+    "a tree": db.NearestNeighbors(2),
+    "a function": db.coverage,
+    "an object": object(),
+    "one with an effect in it": filled_grid(),
+    "of no dimension": Odd(dim=0),
+    "of half a dimension": Odd(dim=2.5),
+    "a gain below zero": Odd(largest_gain=-1.0),
+    "an endless gain": Odd(largest_gain=math.inf),
+    "no gain": Odd(largest_gain=math.nan),
+    "text for a gain": Odd(largest_gain="1"),
 }
 
 NOT_PHASES = {

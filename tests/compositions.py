@@ -31,6 +31,12 @@ def compositions():
             tau=0.05,
             window=11,
         ),
+        "adapt, by the grid": db.Adapt([rmb(), rgb(0.05)], measure=db.GridCoverage(0.05)),
+        "adapt, by sparseness": db.Adapt([rmb(), rgb(0.05)], measure=db.Sparseness(), alpha=0.3),
+        "adapt, by entropy": db.Adapt([rmb(), rgb(0.05)], window=7, measure=db.Entropy([0.1, 0.2])),
+        "adapt by the grid, of an adapt": db.Adapt(
+            [db.Adapt([rmb(), rgb(0.5)], tau=0.1), rgb(0.05)], measure=db.GridCoverage(0.1)
+        ),
         "mixture of adapts": db.Mixture([db.Adapt([rmb(), rgb(0.05)]), rmb()]),
         "schedule, then adapt": db.Schedule([(10, rmb()), (None, db.Adapt([rmb(), rgb(0.05)]))]),
     }

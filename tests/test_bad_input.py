@@ -26,10 +26,10 @@ def test_the_error_names_the_argument_and_nothing_changes(argument, call, value)
     world.explorer.tell(world.trial, [0.0, 0.0])
 
 
-def test_the_effects_of_an_exploration_beyond_the_plane_have_no_coverage():
-    space = db.Box([0], [1])
+def test_effects_of_a_dimension_that_coverage_does_not_take_have_none():
+    space = db.Box([0] * 30, [1] * 30)
     run = db.explore(
         db.FunctionEnvironment(lambda x: x, space, space), db.MotorBabbling(), n=3, rng=0
     )
-    with pytest.raises(ValueError, match=r"effects must have shape \(n, 2\), got \(3, 1\)"):
+    with pytest.raises(ValueError, match=r"effects must have dimension .* for coverage, got 30"):
         run.coverage(0.1)

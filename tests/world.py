@@ -25,21 +25,27 @@ class World:
         self.run = db.explore(self.arm, RMB, n=3, rng=self.rng)
         self.history = db.History(self.box, self.box)
         self.coverage, self.tree = db.Coverage(0.5), db.NearestNeighbors(2)
+        self.grid, self.sparseness = db.GridCoverage(0.3), db.Sparseness(2)
+        self.entropy = db.Entropy(0.3)
         self.explorer = db.Explorer(RMB, self.box, self.box, rng=self.rng)
         for effect in ([0.0, 0.0], [0.5, 0.25], [1.0, 0.0]):
             self.history.append(effect, effect)
-            self.coverage.add(effect)
+            for measure in self.measures():
+                measure.add(effect)
             self.tree.add(effect)
             self.explorer.tell(self.explorer.ask(), effect)
         self.trial = self.explorer.ask()
         self.by_hand = db.Trial([0.0, 0.0])
+
+    def measures(self):
+        return self.coverage, self.grid, self.sparseness, self.entropy
 
     def state(self):
         logs = (self.explorer.history, self.history)
         return (
             [(log.commands.tolist(), log.effects.tolist(), log.paths) for log in logs],
             self.history.nearest([0.4, 0.3], k=3)[1].tolist(),
-            (len(self.coverage), self.coverage.measure, self.coverage.gain([0.7, 0.7])),
+            [(len(each), each.measure, each.gain([0.7, 0.7])) for each in self.measures()],
             (len(self.tree), self.tree.nearest([0.4, 0.3], k=3)[1].tolist()),
             state(self.rng),
         )

@@ -15,7 +15,14 @@ from divbandit.box import Box
 from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
 from divbandit.exploration import Exploration, Explorer, explore
 from divbandit.history import History
-from divbandit.measures import Coverage, coverage
+from divbandit.measures import (
+    Coverage,
+    Entropy,
+    GridCoverage,
+    Measure,
+    Sparseness,
+    coverage,
+)
 from divbandit.strategies import (
     Composite,
     GoalBabbling,
@@ -31,17 +38,21 @@ __all__ = [
     "Box",
     "Composite",
     "Coverage",
+    "Entropy",
     "Environment",
     "Exploration",
     "Explorer",
     "FunctionEnvironment",
     "GoalBabbling",
+    "GridCoverage",
     "History",
+    "Measure",
     "Mixture",
     "MotorBabbling",
     "NearestNeighbors",
     "PlanarArm",
     "Schedule",
+    "Sparseness",
     "Strategy",
     "Trial",
     "coverage",

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from divbandit.box import Box
-from divbandit.measures import Coverage
+from divbandit.measures.template import copy_of, covering
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from divbandit.history import History
+    from divbandit.measures import Measure
 
 _FORMAT = "divbandit exploration"
 _VERSION = 1
@@ -106,13 +107,50 @@ class Exploration:
             return np.zeros(len(self), dtype=np.int64)
         return self.paths[:, 0]
 
+    def diversity(self, measure: Measure) -> NDArray[np.float64]:
+        """Return the diversity after each step, by any measure.
+
+        Parameters
+        ----------
+        measure : Measure
+            An empty one for effects of this dimension; a copy of it is filled.
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (n,)
+            The running sum of the gains, in the units of the measure.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `measure` is none, is not empty, or is for effects of another dimension.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> run = db.explore(db.PlanarArm(20), db.MotorBabbling(), n=100, rng=0)
+        >>> run.diversity(db.GridCoverage(0.5))[[0, -1]]
+        array([1., 6.])
+        """
+        measured = copy_of("measure", measure)
+        if len(self) == 0:  # perhaps of no dimension yet
+            return np.empty(0)
+        if measured.dim != self.effects.shape[1]:
+            raise ValueError(
+                "measure must have the dimension of the effects, "
+                f"{self.effects.shape[1]}, got {measured.dim}"
+            )
+        return np.cumsum(measured.extend(self.effects))
+
     def coverage(self, tau: float) -> NDArray[np.float64]:
-        """Return the diversity after each step: the measure of the union of discs so far.
+        """Return the coverage after each step: the measure of the union of balls so far.
+
+        In the plane it is an area, that of discs. Short for ``diversity(Coverage(tau, dim=s))``.
 
         Parameters
         ----------
         tau : float
-            Radius of the discs, in the units of the effects; positive.
+            Radius of the balls, in the units of the effects; positive.
 
         Returns
         -------
@@ -121,7 +159,8 @@ class Exploration:
         Raises
         ------
         TypeError, ValueError
-            If `tau` is not a positive number, or the effects are not in the plane.
+            If `tau` is not a positive number, or `Coverage` does not take effects of this
+            dimension.
 
         Examples
         --------
@@ -130,8 +169,8 @@ class Exploration:
         >>> round(float(run.coverage(0.02)[0]), 9)
         0.001256637
         """
-        gains = Coverage(tau).extend(self.effects)
-        return np.cumsum(gains)
+        dim = self.effects.shape[1] if len(self) else 2
+        return self.diversity(covering("coverage", tau, dim))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the exploration to a file, replacing it whole or not at all.

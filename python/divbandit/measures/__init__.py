@@ -1,5 +1,14 @@
 """Measures of diversity: what a set of effects covers, and what one more effect adds."""
 
-from divbandit._core import Coverage, coverage
+from typing import TYPE_CHECKING
 
-__all__ = ["Coverage", "coverage"]
+from divbandit._core import Coverage, coverage
+from divbandit.measures.entropy import Entropy
+from divbandit.measures.grid import GridCoverage
+from divbandit.measures.protocol import Measure
+from divbandit.measures.sparseness import Sparseness
+
+__all__ = ["Coverage", "Entropy", "GridCoverage", "Measure", "Sparseness", "coverage"]
+
+if TYPE_CHECKING:  # what mypy is to hold to the protocol
+    _MEASURES: tuple[type[Measure], ...] = (Entropy, GridCoverage, Sparseness)

@@ -1,0 +1,154 @@
+"""Measure: what a bandit, or an evaluation, needs to know of a measure of diversity."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+
+@runtime_checkable
+class Measure(Protocol):
+    """How diverse a growing set of effects is, and what one more effect adds to it: its gain.
+
+    Anything with these members is one; no base class is needed. The measure of no effects is 0,
+    and of others the sum of the gains that `add` and `extend` returned for them. ``len`` of it
+    is the number of effects, those that gained nothing included.
+
+    Whoever works with a measure - `Adapt`, `Exploration.diversity` - is given an empty one and
+    takes deep copies of it (``copy.deepcopy``, which any plain class supports); it is never
+    changed. To save a bandit, its measure must be picklable as well.
+
+    See Also
+    --------
+    Coverage, GridCoverage, Sparseness, Entropy
+
+    Examples
+    --------
+    A measure of one's own, for effects that are single numbers in [0, 1]: how far apart the
+    lowest and the highest of them are.
+
+    >>> import numpy as np
+    >>> import divbandit as db
+    >>> class Width:
+    ...     dim, largest_gain, measure = 1, 1.0, 0.0
+    ...     def __init__(self):
+    ...         self.seen = []
+    ...     def __len__(self):
+    ...         return len(self.seen)
+    ...     def gain(self, effect):
+    ...         if np.ndim(effect) == 2:
+    ...             return np.array([self.gain(one) for one in effect])
+    ...         return float(np.ptp([*self.seen, effect[0]])) - self.measure
+    ...     def add(self, effect):
+    ...         gain = self.gain(effect)
+    ...         self.seen.append(effect[0])
+    ...         self.measure += gain
+    ...         return gain
+    ...     def extend(self, effects):
+    ...         return np.array([self.add(one) for one in effects])
+    >>> isinstance(Width(), db.Measure)
+    True
+    >>> Width().extend([[0.25], [0.75], [0.5]])
+    array([0. , 0.5, 0. ])
+    >>> unit = db.Box([0], [1])
+    >>> square = db.FunctionEnvironment(lambda x: x**2, unit, unit)
+    >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], measure=Width())
+    >>> run = db.explore(square, adapt, n=100, rng=0)
+    >>> bool(run.diversity(Width())[-1] == np.ptp(run.effects))
+    True
+    """
+
+    @property
+    def dim(self) -> int:
+        """Dimension of the effects, at least 1."""
+
+    @property
+    def measure(self) -> float:
+        """The diversity of all effects together: 0.0 for none, then the sum of the gains."""
+
+    @property
+    def largest_gain(self) -> float:
+        """What no gain exceeds; 0.0 where there is no such bound. Finite, not negative.
+
+        It is the gain that `Adapt` pretends each strategy began with, its head start.
+        """
+
+    def add(self, effect: ArrayLike, /) -> float:
+        """Add an effect and return its gain: by how much the measure changes.
+
+        Parameters
+        ----------
+        effect : array_like, shape (dim,)
+
+        Returns
+        -------
+        float
+            Finite. Negative where the effect makes all of them together less diverse.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it is no finite point of this dimension; nothing is added then.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> grid = db.GridCoverage(0.5)
+        >>> grid.add([0.1, 0.2]), grid.add([0.2, 0.1])
+        (1.0, 0.0)
+        """
+
+    def extend(self, effects: ArrayLike, /) -> NDArray[np.float64]:
+        """Add effects in order and return the gain of each at its turn.
+
+        Parameters
+        ----------
+        effects : array_like, shape (n, dim)
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (n,)
+            The very numbers that as many calls of `add` return.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If one is no finite point of this dimension; nothing is added then.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.GridCoverage(0.5).extend([[0.1, 0.2], [0.2, 0.1], [0.9, 0.2]])
+        array([1., 0., 1.])
+        """
+
+    def gain(self, effect: ArrayLike, /) -> float | NDArray[np.float64]:
+        """Return what `add` would return; nothing is added.
+
+        Parameters
+        ----------
+        effect : array_like, shape (dim,) or (n, dim)
+
+        Returns
+        -------
+        float, or numpy.ndarray of float64, shape (n,)
+            For many effects the gain of each by itself, as if the others were not there.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If one is no finite point of this dimension.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> grid = db.GridCoverage(0.5)
+        >>> grid.gain([0.1, 0.2]), grid.gain([[0.1, 0.2], [0.2, 0.1]]), len(grid)
+        (1.0, array([1., 1.]), 0)
+        """
+
+    def __len__(self) -> int:
+        """Return how many effects were added."""

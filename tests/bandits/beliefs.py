@@ -1,0 +1,13 @@
+"""What an Adapt believes at each step of a run, recomputed with any measure."""
+
+from fractions import Fraction
+
+
+def replay(adapt, run, head_start, measure):
+    """Return the beliefs before each step, by the definition and in fractions."""
+    windows = [[head_start] * adapt.head_start for _ in adapt.strategies]
+    beliefs = []
+    for effect, choice in zip(run.effects, run.choices, strict=True):
+        beliefs.append([float(sum(map(Fraction, w)) / len(w)) if w else 0.0 for w in windows])
+        windows[choice] = [*windows[choice], measure.add(effect)][-adapt.window :]
+    return beliefs

@@ -1,0 +1,99 @@
+"""GridCoverage: cells counted by hand, and by a plain oracle."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import divbandit as db
+
+
+def test_counts_by_hand():
+    grid = db.GridCoverage(1.0)
+    effects = [[0.5, 0.5], [0.9, 0.1], [1.0, 0.5], [-0.1, 0.5], [-0.0, 0.0], [-1.0, 0.5]]
+    assert grid.extend(effects).tolist() == [1.0, 0.0, 1.0, 1.0, 0.0, 0.0]
+    assert (grid.measure, len(grid), grid.dim, grid.largest_gain) == (3.0, 6, 2, 1.0)
+
+
+def test_cells_are_closed_below_and_open_above():
+    grid = db.GridCoverage(0.25, dim=1)
+    assert grid.extend([[0.25], [math.nextafter(0.5, 0)], [0.5]]).tolist() == [1, 0, 1]
+    assert grid.extend([[math.nextafter(0.25, 0)], [0.0], [-(2.0**-1074)]]).tolist() == [1, 0, 1]
+
+
+def test_an_edge_for_each_coordinate():
+    grid = db.GridCoverage([1.0, 10.0], dim=2)
+    assert grid.extend([[0, 0], [0, 9], [0.5, 9.5], [1, 0], [0, 10]]).tolist() == [1, 0, 0, 1, 1]
+    assert grid.cell == (1.0, 10.0)
+
+
+def test_the_origin_is_a_corner():
+    effects = [[-0.5, 0], [0.4, 0], [0.5, 0]]
+    assert db.GridCoverage(1.0).extend(effects).tolist() == [1, 1, 0]
+    assert db.GridCoverage(1.0, origin=0.5).extend(effects).tolist() == [1, 0, 1]
+    assert db.GridCoverage(1.0, origin=[-0.5, 7]).extend(effects).tolist() == [1, 0, 1]
+    assert db.GridCoverage(1.0, origin=[-0.5, 7]).origin == (-0.5, 7.0)
+
+
+@pytest.mark.parametrize("dim", [1, 2, 3, 7])
+@pytest.mark.parametrize("cell", [0.125, 0.1, 1 / 3, 5.0])
+def test_equals_cells_found_with_fractions(dim, cell):
+    """Away from borders rounding plays no part: the exact quotient has the same floor."""
+    effects = np.random.default_rng(dim).uniform(-1, 1, (400, dim))
+    exact = {tuple(math.floor(Fraction(x) / Fraction(cell)) for x in row) for row in effects}
+    grid = db.GridCoverage(cell, dim=dim)
+    gains = grid.extend(effects)
+    assert grid.measure == gains.sum() == len(exact)
+
+
+def test_a_measure_does_not_depend_on_the_order():
+    effects = np.random.default_rng(0).normal(size=(500, 2))
+    forwards, backwards = db.GridCoverage(0.3), db.GridCoverage(0.3)
+    forwards.extend(effects)
+    backwards.extend(effects[::-1])
+    assert forwards.measure == backwards.measure
+
+
+def test_many_dimensions():
+    corners = np.array(np.meshgrid(*[[0.0, 1.0]] * 10)).reshape(10, -1).T
+    assert db.GridCoverage(1.0, dim=10).extend(corners).tolist() == [1.0] * 1024
+
+
+@pytest.mark.parametrize("far", [1e16, 1e100, 1e300, -1e300, 1.7e308, -1.7e308])
+def test_far_effects_have_cells(far):
+    grid = db.GridCoverage(1.0)
+    assert grid.add([far, 0.0]) == 1.0
+    assert grid.add([far, 0.0]) == 0.0
+    assert grid.add([math.nextafter(far, 0), 0.0]) == 1.0
+
+
+@pytest.mark.parametrize("cell", [5e-324, 1e-300, 1e300, 1.7e308])
+def test_cells_of_any_size(cell):
+    grid = db.GridCoverage(cell, dim=1)
+    assert grid.extend([[0.0], [cell / 2], [cell], [-cell]]).tolist()[2:] == [1.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("cell", "origin", "effect"),
+    [(1e-10, 0.0, 1e300), (5e-324, 0.0, -1.0), (1.0, -1.7e308, 1.7e308)],
+)
+def test_too_many_cells_away(cell, origin, effect):
+    grid = db.GridCoverage(cell, origin=[0.0, origin])
+    if origin == 0.0:
+        grid.add([0.0, 0.0])
+    before = (len(grid), grid.measure)
+    message = r"must be within 1.7e308 cells of .*with cell"
+    with pytest.raises(ValueError, match=r"effect\[1\] " + message):
+        grid.add([0.0, effect])
+    with pytest.raises(ValueError, match=r"effect\[2, 1\] " + message):
+        grid.gain([[0.0, origin], [0.0, origin], [0.0, effect]])
+    with pytest.raises(ValueError, match=r"effects\[1, 1\] " + message):
+        grid.extend([[0.0, origin], [0.0, effect]])
+    assert (len(grid), grid.measure) == before
+
+
+def test_says_what_it_is():
+    grid = db.GridCoverage(0.5)
+    grid.extend([[0, 0], [0, 1], [0, 1]])
+    assert repr(grid) == "<GridCoverage of 3 effects, cell=(0.5, 0.5), measure=2.0>"

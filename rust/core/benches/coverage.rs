@@ -36,14 +36,14 @@ fn effects(clustered: bool) -> Vec<[f64; 2]> {
 }
 
 fn cover(effects: &[[f64; 2]], tau: f64) -> Coverage {
-    let mut coverage = Coverage::new(tau).unwrap();
+    let mut coverage = Coverage::new(tau, 2).unwrap();
     for &effect in effects {
         black_box(coverage.add(effect).unwrap());
     }
     coverage
 }
 
-/// Counts the centres within 2 tau of each effect, among those that `Coverage` stores: the
+/// Counts the centres within 2 tau of each effect, among those that gained something: the
 /// boxes find what lies in a square, the distance decides.
 fn search(effects: &[[f64; 2]], stored: &[bool], tau: f64) -> usize {
     let (mut bvh, mut neighbours) = (Bvh::new(), 0);
@@ -62,15 +62,9 @@ fn search(effects: &[[f64; 2]], stored: &[bool], tau: f64) -> usize {
     neighbours
 }
 
-/// Which effects `Coverage` stores: the others lie wholly in the union of those before.
+/// Which effects gain something: the others lie wholly in the union of those before.
 fn stored(effects: &[[f64; 2]], tau: f64) -> Vec<bool> {
-    let mut coverage = Coverage::new(tau).unwrap();
-    let mut is_stored = |&effect: &[f64; 2]| {
-        let before = coverage.stored();
-        coverage.add(effect).unwrap();
-        coverage.stored() > before
-    };
-    effects.iter().map(&mut is_stored).collect()
+    cover(effects, tau).gains().iter().map(|&gain| gain > 0.0).collect()
 }
 
 fn gains(criterion: &mut Criterion) {

@@ -6,7 +6,7 @@
 //! 1. [`PlanarArm`] turns a motor command into an effect;
 //! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
 //! 3. [`inverse()`](inverse()) turns that goal into the next motor command, inside its [`Bounds`];
-//! 4. [`Coverage`] says how much new area an effect has covered: its gain.
+//! 4. [`Coverage`] says how much an effect has newly covered: its gain.
 //!
 //! Everything that decides a trajectory is made of additions, multiplications,
 //! divisions and square roots in a fixed order, so that a seed gives the same bits
@@ -16,7 +16,7 @@
 //! use divbandit_core::{Coverage, PlanarArm};
 //!
 //! let arm = PlanarArm::new(20, 2.6).unwrap();
-//! let mut coverage = Coverage::new(0.02).unwrap();
+//! let mut coverage = Coverage::new(0.02, 2).unwrap();
 //! let effect = arm.effect(&[0.1; 20]).unwrap();
 //! assert!(coverage.add(effect).unwrap() > 0.0);
 //! assert_eq!(coverage.add(effect).unwrap(), 0.0);

@@ -16,7 +16,7 @@ proptest! {
         n in 1..120_usize, spread in -3.0..1.5_f64, lattice: bool, tau in 0.001..3.0_f64, seed: u64,
     ) {
         let effects = scatter(n, 10_f64.powf(spread), lattice, tau, seed);
-        let mut coverage = Coverage::new(tau).unwrap();
+        let mut coverage = Coverage::new(tau, 2).unwrap();
         let mut gains = Vec::new();
         for &effect in &effects {
             let before = coverage.measure();
@@ -30,13 +30,12 @@ proptest! {
             gains.push(gain);
         }
         prop_assert_eq!(coverage.len(), n);
-        prop_assert!(coverage.stored() <= n);
-        prop_assert_eq!(gains[0], coverage.disc_area());
+        prop_assert_eq!(gains[0], coverage.ball());
         let (total, measure) = (gains.iter().sum::<f64>(), coverage.measure());
         prop_assert!((total - measure).abs() <= 1e-13 * measure);
 
         // Many at once are the same as one by one.
-        let mut together = Coverage::new(tau).unwrap();
+        let mut together = Coverage::new(tau, 2).unwrap();
         let mut written = vec![f64::NAN; n];
         together.extend(effects.as_flattened(), &mut written).unwrap();
         prop_assert_eq!(written, gains);
@@ -48,14 +47,14 @@ proptest! {
         n in 1..120_usize, spread in -3.0..1.5_f64, lattice: bool, tau in 0.001..3.0_f64, seed: u64,
     ) {
         let effects = scatter(n, 10_f64.powf(spread), lattice, tau, seed);
-        let mut coverage = Coverage::new(tau).unwrap();
+        let mut coverage = Coverage::new(tau, 2).unwrap();
         coverage.extend(effects.as_flattened(), &mut vec![0.0; n]).unwrap();
-        let (measure, stored) = (coverage.measure(), coverage.stored());
+        let (measure, boundary) = (coverage.measure(), coverage.boundary_integral());
         for &effect in &effects {
             prop_assert_eq!(coverage.add(effect).unwrap(), 0.0);
         }
         prop_assert_eq!(coverage.measure(), measure);
-        prop_assert_eq!(coverage.stored(), stored, "a repeated disc is not stored again");
+        prop_assert_eq!(coverage.boundary_integral(), boundary, "a repeated disc changes nothing");
     }
 
     #[test]
@@ -64,7 +63,7 @@ proptest! {
     ) {
         // The gain of a fixed effect falls as others arrive (the measure is submodular).
         let effects = scatter(n, 10_f64.powf(spread), lattice, 1.0, seed);
-        let mut coverage = Coverage::new(1.0).unwrap();
+        let mut coverage = Coverage::new(1.0, 2).unwrap();
         let probe = scatter(1, 10_f64.powf(spread), false, 1.0, !seed)[0];
         let mut last = coverage.gain(probe).unwrap();
         for &effect in &effects {
@@ -85,9 +84,9 @@ proptest! {
             .map(|i| [(i % columns) as f64 * step, (i / columns) as f64 * step])
             .collect();
         Stream(seed).shuffle(&mut effects);
-        let mut coverage = Coverage::new(tau).unwrap();
+        let mut coverage = Coverage::new(tau, 2).unwrap();
         for &effect in &effects {
-            prop_assert_eq!(coverage.add(effect).unwrap(), coverage.disc_area());
+            prop_assert_eq!(coverage.add(effect).unwrap(), coverage.ball());
         }
         let expected = (columns * rows) as f64 * PI * tau * tau;
         prop_assert!((coverage.measure() - expected).abs() <= 1e-15 * expected);
@@ -97,14 +96,14 @@ proptest! {
 #[test]
 fn a_radius_has_a_square() {
     for tau in [0.0, -1.0, f64::NAN, f64::INFINITY, 0.9e-100, 1.1e100] {
-        let message = Coverage::new(tau).unwrap_err().to_string();
+        let message = Coverage::new(tau, 2).unwrap_err().to_string();
         assert_eq!(
             message,
             format!("tau must be a positive radius in [1e-100, 1e100], got {tau:?}")
         );
     }
     for tau in [1e-100, 1e100] {
-        let mut coverage = Coverage::new(tau).unwrap();
+        let mut coverage = Coverage::new(tau, 2).unwrap();
         coverage.add([0.0, 0.0]).unwrap();
         coverage.add([tau * 8.0, tau]).unwrap();
         assert_eq!(coverage.measure(), 2.0 * PI * tau * tau);
@@ -113,7 +112,7 @@ fn a_radius_has_a_square() {
 
 #[test]
 fn a_refusal_adds_nothing() {
-    let mut coverage = Coverage::new(0.1).unwrap();
+    let mut coverage = Coverage::new(0.1, 2).unwrap();
     for i in 0..30 {
         coverage.add([f64::from(i * i % 7) * 0.03, f64::from(i % 5) * 0.05]).unwrap();
     }

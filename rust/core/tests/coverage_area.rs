@@ -10,12 +10,12 @@ use proptest::prelude::*;
 
 /// Checks the measure, and with it each of the other ways to the same area.
 fn check(name: &str, effects: &[[f64; 2]], tau: f64) {
-    let mut coverage = Coverage::new(tau).unwrap();
+    let mut coverage = Coverage::new(tau, 2).unwrap();
     coverage.extend(effects.as_flattened(), &mut vec![0.0; effects.len()]).unwrap();
     let (measure, expected) = (coverage.measure(), union_area(effects, tau));
     let error = (measure - expected).abs() / (PI * tau * tau);
     assert!(error < 1e-10, "{name}: off by {error:e} discs\n{effects:?}");
-    let boundary = coverage.boundary_integral();
+    let boundary = coverage.boundary_integral().unwrap();
     assert!((measure - boundary).abs() <= 1e-11 * measure, "{name}: {measure} {boundary}");
 }
 
@@ -119,7 +119,7 @@ fn for_clusters_far_apart() {
         scatter(40, 2.0, false, 1.0, seed).iter().map(|c| c.map(round)).collect()
     };
     let far = 2.0_f64.powi(30);
-    let mut coverage = Coverage::new(1.0).unwrap();
+    let mut coverage = Coverage::new(1.0, 2).unwrap();
     let mut expected = 0.0;
     for (seed, offset) in [(1, [0.0, 0.0]), (2, [far, far]), (3, [-far, 0.0]), (4, [far, -far])] {
         expected += union_area(&set(seed), 1.0);

@@ -8,7 +8,7 @@ use oracles::{Stream, fixed, scatter};
 use proptest::prelude::*;
 
 fn measure(effects: &[[f64; 2]], tau: f64) -> f64 {
-    let mut coverage = Coverage::new(tau).unwrap();
+    let mut coverage = Coverage::new(tau, 2).unwrap();
     coverage.extend(effects.as_flattened(), &mut vec![0.0; effects.len()]).unwrap();
     coverage.measure()
 }

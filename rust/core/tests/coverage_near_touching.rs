@@ -39,7 +39,7 @@ fn add_up_to_the_area_of_their_union() {
         stream.shuffle(&mut set);
         let set: Vec<[f64; 2]> = set.iter().map(|c| c.map(|x| x * tau)).collect();
 
-        let mut coverage = Coverage::new(tau).unwrap();
+        let mut coverage = Coverage::new(tau, 2).unwrap();
         coverage.extend(set.as_flattened(), &mut vec![0.0; set.len()]).unwrap();
         let error = (coverage.measure() - union_area(&set, tau)).abs() / (PI * tau * tau);
         assert!(error < 1e-10, "case {case}: off by {error:e} discs, tau = {tau}\n{set:?}");
@@ -55,7 +55,7 @@ fn two_that_nearly_coincide_touch_a_third() {
         [0.29999999999999993, -0.7000000000000001],
         [0.3, -0.7],
     ];
-    let mut coverage = Coverage::new(1.0).unwrap();
+    let mut coverage = Coverage::new(1.0, 2).unwrap();
     coverage.extend(set.as_flattened(), &mut [0.0; 3]).unwrap();
     let measure = coverage.measure();
     assert!((measure / PI - 2.0).abs() < 1e-14, "{} discs too many", measure / PI - 2.0);

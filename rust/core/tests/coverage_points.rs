@@ -47,7 +47,7 @@ fn for_effects_dense_and_sparse() {
     {
         let seed = seed as u64;
         let effects = scatter(n, spread, seed % 2 == 1, tau, seed);
-        let mut coverage = Coverage::new(tau).unwrap();
+        let mut coverage = Coverage::new(tau, 2).unwrap();
         coverage.extend(effects.as_flattened(), &mut vec![0.0; n]).unwrap();
         let (expected, error) = sampled(&effects, tau, 800, &mut Stream(seed));
         let measure = coverage.measure();

@@ -25,7 +25,7 @@ fn error(distance: f64, tau: f64) -> f64 {
         // The distance that the rounded coordinates really have.
         let expected = crescent((other[0] / tau).hypot(other[1] / tau));
         for [first, second] in [[[0.0, 0.0], other], [other, [0.0, 0.0]]] {
-            let mut coverage = Coverage::new(tau).unwrap();
+            let mut coverage = Coverage::new(tau, 2).unwrap();
             coverage.add(first).unwrap();
             let gain = coverage.add(second).unwrap() / (tau * tau);
             worst = worst.max((gain - expected).abs() / PI);
@@ -74,7 +74,7 @@ fn nearly_tangent() {
 #[test]
 fn coincident_tangent_and_apart() {
     let second = |x: f64| {
-        let mut coverage = Coverage::new(1.0).unwrap();
+        let mut coverage = Coverage::new(1.0, 2).unwrap();
         coverage.add([0.0, 0.0]).unwrap();
         coverage.add([x, 0.0]).unwrap()
     };

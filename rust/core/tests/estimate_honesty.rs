@@ -92,13 +92,13 @@ fn discs() {
     for accuracy in [1e-2, 1e-3] {
         honest(&format!("discs at {accuracy}"), |key, stream| {
             let n = 1 + stream.below(8);
-            let mut coverage = Coverage::new(1.0).unwrap();
+            let mut coverage = Coverage::new(1.0, 2).unwrap();
             let centres: Vec<[f64; 2]> =
                 (0..n).map(|_| [stream.between(-1.5, 1.5), stream.between(-1.5, 1.5)]).collect();
             for &centre in &centres {
                 coverage.add(centre).unwrap();
             }
-            let truth = coverage.gain([0.0; 2]).unwrap() / coverage.disc_area();
+            let truth = coverage.gain([0.0; 2]).unwrap() / coverage.ball();
             (truth, 1e-12, estimated(&lifted(&centres, 2), 2, accuracy, key))
         });
     }

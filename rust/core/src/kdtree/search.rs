@@ -1,4 +1,4 @@
-//! Searching the tree: the nearest point, or the k nearest.
+//! Searching the tree: the nearest point, the k nearest, or all within a radius.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -69,6 +69,21 @@ impl NearestNeighbors {
         });
         let found = best.into_sorted_vec();
         Ok(found.iter().map(|f| (f.squared.sqrt(), f.index as usize)).collect())
+    }
+
+    /// The points no farther than `radius` away, in no particular order.
+    ///
+    /// # Errors
+    /// If there are no points, or `query` is not `dim` finite numbers.
+    pub fn within(&self, query: &[f64], radius: f64) -> Result<Vec<usize>, Error> {
+        self.check_query(query)?;
+        let bound = Found { squared: radius * radius, index: u32::MAX };
+        let mut found = Vec::new();
+        self.search(query, bound, |near| {
+            found.push(near.index as usize);
+            bound
+        });
+        Ok(found)
     }
 
     fn check_query(&self, query: &[f64]) -> Result<(), Error> {

@@ -126,6 +126,14 @@ impl Estimate {
         self.scaled(&look)
     }
 
+    /// Adds an effect whose gain is known: all later numbers are as after [`insert`](Self::insert).
+    pub(crate) fn replay(&mut self, effect: &[f64]) {
+        self.len += 1;
+        if !self.grid.around(effect).any(|centre| centre == effect) {
+            self.grid.insert(effect);
+        }
+    }
+
     fn scaled(&self, look: &Look) -> Estimated {
         // A ball may be beyond all numbers; nothing of it is nothing.
         let scale = |share: f64| if share == 0.0 { 0.0 } else { share * self.ball };

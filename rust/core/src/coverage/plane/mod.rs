@@ -72,11 +72,6 @@ impl Discs {
         Self { tau, grid: Grid::new(tau), survey: Survey::default() }
     }
 
-    /// How many discs have boundary.
-    pub fn live(&self) -> usize {
-        self.grid.discs().count()
-    }
-
     /// The area that a disc would add.
     pub fn gain(&mut self, [x, y]: [f64; 2]) -> f64 {
         self.survey.of_disc((x, y), self.tau, &mut self.grid);

@@ -55,9 +55,20 @@ impl Balls {
         gain
     }
 
+    /// Adds a ball that is known to add something, without finding out how much.
+    pub(crate) fn replay(&mut self, effect: [f64; 3]) {
+        self.grid.insert(effect);
+    }
+
     /// How many balls had to be stored: the others lay wholly in the union.
     #[must_use]
     pub fn stored(&self) -> usize {
         self.grid.len()
     }
+}
+
+/// The volume of a ball of radius `tau`: the bits that a lone ball gains.
+#[must_use]
+pub fn ball(tau: f64) -> f64 {
+    survey::BALL * (tau * tau * tau)
 }

@@ -9,7 +9,7 @@ import pytest
 import divbandit as db
 from divbandit import _core
 
-CORE = ("Bounds", "Coverage", "NearestNeighbors", "PlanarArm", "as_point", "coverage", "inverse")
+CORE = ("Bounds", "Coverage", "NearestNeighbors", "PlanarArm", "as_point", "inverse")
 
 
 def members(name, item):

@@ -7,7 +7,6 @@ import pytest
 
 import divbandit as db
 from tests.bandits.beliefs import replay
-from tests.measures.every import coverage_dims
 
 RMB = db.MotorBabbling
 
@@ -32,12 +31,12 @@ def test_the_dimension_is_that_of_the_measure(known):
         db.explore(cube(3, known=known), adapt, n=1, rng=0)
 
 
-@pytest.mark.parametrize("dim", coverage_dims())
+@pytest.mark.parametrize("dim", [1, 2, 3, 4, 9])
 def test_the_default_measures_in_whatever_dimension_coverage_takes(dim):
     ball = db.Coverage(0.3, dim=dim).add([0.0] * dim)
     adapt = db.Adapt([RMB(), RMB()], tau=0.3, window=5)
     run = db.explore(cube(dim, known=True), adapt, n=60, rng=0)
-    expected = replay(adapt, run, ball, db.Coverage(0.3, dim=dim))
+    expected = replay(adapt, run, ball, db.Coverage(0.3, dim=dim, rng=0))
     np.testing.assert_allclose(run.diversities, expected, rtol=1e-14)
     # Until the first effect tells the dimension, a disc stands for a ball.
     other = db.explore(cube(dim, known=False), adapt, n=60, rng=0)
@@ -48,6 +47,8 @@ def test_the_default_measures_in_whatever_dimension_coverage_takes(dim):
 
 @pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
 def test_the_default_says_which_dimensions_it_takes(known):
-    message = r"effects must have dimension (2|from 1 to \d+) for Adapt, got 40: dim must be"
+    message = (
+        "effects must have a dimension that Adapt can measure, got 40: dim must be from 1 to 32"
+    )
     with pytest.raises(ValueError, match=message):
         db.explore(cube(40, known=known), db.Adapt([RMB()]), n=1, rng=0)

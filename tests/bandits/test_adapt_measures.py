@@ -10,7 +10,6 @@ import pytest
 import divbandit as db
 from tests.bandits.beliefs import replay
 from tests.bandits.script import Always, Drive, Scripted, towards
-from tests.measures.every import COVERAGE_PICKLES
 
 ARM = db.PlanarArm(20)
 RMB, RGB = db.MotorBabbling, db.GoalBabbling
@@ -164,8 +163,6 @@ def test_gains_that_are_not_finite_are_refused(bad):
 @pytest.mark.parametrize("way", [copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))])  # noqa: S301
 @pytest.mark.parametrize("name", MEASURES)
 def test_a_copy_made_half_way_goes_on_alike(name, way):
-    if name == "coverage" and way is not copy.deepcopy and not COVERAGE_PICKLES:
-        pytest.skip("Coverage cannot do this yet")
     adapt = db.Adapt([RMB(), RGB(0.05)], window=7, measure=MEASURES[name](), alpha=0.2)
     explorer = db.Explorer(adapt, ARM.motor_space, ARM.sensory_space, rng=0)
 

@@ -83,11 +83,15 @@ def test_effects_that_the_strategy_cannot_use_are_refused_at_the_first():
     adapt = db.Adapt([db.MotorBabbling()])
     explorer = db.Explorer(adapt, ARM.motor_space, rng=0)
     trial = explorer.ask()
-    with pytest.raises(ValueError, match="effects must have dimension 2 for Adapt, got 3"):
-        explorer.tell(trial, [0.0, 0.0, 0.0])
+    with pytest.raises(
+        ValueError, match="effects must have a dimension that Adapt can measure, got 33"
+    ):
+        explorer.tell(trial, [0.0] * 33)
     assert len(explorer.history) == 0
-    with pytest.raises(ValueError, match="effects must have dimension 2 for Adapt, got 1"):
-        db.Explorer(adapt, ARM.motor_space, db.Box([0], [1]))
+    with pytest.raises(
+        ValueError, match="effects must have a dimension that Adapt can measure, got 40"
+    ):
+        db.Explorer(adapt, ARM.motor_space, db.Box([0] * 40, [1] * 40))
 
 
 def test_nobody_changes_the_log_through_a_command():

@@ -10,9 +10,6 @@ from hypothesis import strategies as st
 import divbandit as db
 from tests.measures.every import (
     COPIES,
-    COVERAGE_KNOWS_ITS_LARGEST_GAIN,
-    COVERAGE_PEEKS_AT_MANY,
-    COVERAGE_PICKLES,
     NAMES,
     clustered,
     fresh,
@@ -45,14 +42,8 @@ def seen(measure):
     return len(measure), measure.measure, gains
 
 
-def unless_coverage(name, able):
-    if name == "coverage" and not able:
-        pytest.skip("Coverage cannot do this yet")
-
-
 @every
 def test_is_a_measure(name):
-    unless_coverage(name, COVERAGE_KNOWS_ITS_LARGEST_GAIN)
     assert isinstance(fresh()[name], db.Measure)
 
 
@@ -85,7 +76,6 @@ def test_gain_is_what_add_returns_and_changes_nothing(name, points):
 @every
 @given(points=effects, new=effects)
 def test_many_gains_are_each_by_itself(name, points, new):
-    unless_coverage(name, COVERAGE_PEEKS_AT_MANY)
     measure, points = of(name, points)
     new = np.array(new)[:, : measure.dim]
     measure.extend(points)
@@ -125,7 +115,6 @@ def test_the_measure_is_the_sum_of_gains(name, points):
 @every
 @given(points=effects)
 def test_no_gain_is_above_the_largest(name, points):
-    unless_coverage(name, COVERAGE_KNOWS_ITS_LARGEST_GAIN)
     measure, points = of(name, points)
     gains, largest = measure.extend(points), measure.largest_gain
     assert math.isfinite(largest)
@@ -139,8 +128,6 @@ def test_no_gain_is_above_the_largest(name, points):
 @every
 @pytest.mark.parametrize("way", COPIES)
 def test_a_copy_goes_its_own_way(name, way):
-    if way == "pickle":
-        unless_coverage(name, COVERAGE_PICKLES)
     measure = filled(name)
     other = COPIES[way](measure)
     before = seen(measure)
@@ -157,8 +144,6 @@ def test_a_copy_goes_its_own_way(name, way):
 @every
 @pytest.mark.parametrize("way", COPIES)
 def test_an_empty_one_is_copied_too(name, way):
-    if way == "pickle":
-        unless_coverage(name, COVERAGE_PICKLES)
     measure = fresh()[name]
     points = clustered(measure.dim)
     gains = COPIES[way](measure).extend(points).tolist()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 from divbandit._checks import real, whole
 from divbandit.bandits.window import GainWindow
 from divbandit.measures import Coverage
-from divbandit.measures.template import copy_of, covering, largest_gain
+from divbandit.measures.template import copy_of, covering
 from divbandit.strategies.composite import Composite, proportionally
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ class Adapt(Composite):
         """
         if dim is None:
             dim = 2 if self.measure is None else self.measure.dim
-        largest = largest_gain(self._empty(dim))
+        largest = self._empty(dim).largest_gain
         self._dim = dim
         self._measured: Measure | None = None
         self._windows = [

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import os
-import secrets
-import zipfile
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from divbandit import _files
 from divbandit.box import Box
 from divbandit.measures.template import copy_of, covering
 
 if TYPE_CHECKING:
+    import os
     from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
@@ -209,19 +207,7 @@ class Exploration:
             arrays["sensory_space"] = np.array([box.low, box.high])
         if self.diversities is not None:
             arrays["diversities"] = self.diversities
-        # The names come first, so that nothing can go missing unnoticed.
-        arrays = {"format": np.array([_FORMAT, str(_VERSION), *arrays]), **arrays}
-        target = Path(path).resolve()  # what a link points to, not the link
-        temporary = target.with_name(f".{secrets.token_hex(8)}.tmp")
-        try:
-            with temporary.open("xb") as file:
-                np.savez_compressed(file, **cast("Any", arrays))
-            temporary.replace(target)
-        except OSError as error:
-            error.filename = os.fspath(path)
-            raise
-        finally:
-            temporary.unlink(missing_ok=True)
+        _files.write(path, _FORMAT, _VERSION, arrays)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Exploration:
@@ -246,62 +232,26 @@ class Exploration:
             ...
         FileNotFoundError: [Errno 2] No such file or directory: 'missing.npz'
         """
-        with Path(path).open("rb") as file:
-            try:
-                if not zipfile.is_zipfile(file):
-                    raise ValueError("it is no npz file, or a part of one")  # noqa: TRY301
-                file.seek(0)
-                with np.load(file, allow_pickle=False) as saved:
-                    return cls._from_arrays(dict(saved.items()))
-            except Exception as error:  # a damaged file can break its readers in any way
-                raise ValueError(
-                    f"path must be a file written by Exploration.save, got {os.fspath(path)!r}: "
-                    f"{error}"
-                ) from error
+        return _files.read(path, _FORMAT, _VERSION, cls._from_arrays, writer="Exploration.save")
 
     @classmethod
     def _from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Exploration:
         """Rebuild from the arrays of a file, which may hold anything."""
-        if "format" not in arrays:
-            raise ValueError("it does not say its format")
-        name, version, *names = (str(word) for word in arrays["format"])
-        if name != _FORMAT or int(version) != _VERSION:
-            raise ValueError(f"format must be {_FORMAT!r} {_VERSION}, got {name!r} {version}")
-        if {"format", *names} != set(arrays):
-            raise ValueError(f"arrays must be {names}, got {sorted(arrays)}")
-        motor_space = Box(*_array(arrays, "motor_space", np.float64, (2, None)))
+        motor_space = Box(*_files.array(arrays, "motor_space", np.float64, (2, None)))
         sensory_space = None
         if "sensory_space" in arrays:
-            sensory_space = Box(*_array(arrays, "sensory_space", np.float64, (2, None)))
-        commands = _array(arrays, "commands", np.float64, (None, motor_space.dim))
+            sensory_space = Box(*_files.array(arrays, "sensory_space", np.float64, (2, None)))
+        commands = _files.array(arrays, "commands", np.float64, (None, motor_space.dim))
         n = len(commands)
         width = None if sensory_space is None else sensory_space.dim
         diversities = None
         if "diversities" in arrays:
-            diversities = _array(arrays, "diversities", np.float64, (n, None))
+            diversities = _files.array(arrays, "diversities", np.float64, (n, None))
         return cls(
             motor_space,
             sensory_space,
             commands,
-            _array(arrays, "effects", np.float64, (n, width)),
-            _array(arrays, "paths", np.int64, (n, None)),
+            _files.array(arrays, "effects", np.float64, (n, width)),
+            _files.array(arrays, "paths", np.int64, (n, None)),
             diversities,
         )
-
-
-def _array(
-    arrays: dict[str, NDArray[Any]],
-    name: str,
-    dtype: type[np.generic],
-    shape: tuple[int | None, ...],
-) -> NDArray[Any]:
-    """Return an array of a file if it has the type and shape (None: any) that it must have."""
-    array = arrays[name]
-    fits = array.ndim == len(shape) and all(
-        want in (None, got) for want, got in zip(shape, array.shape, strict=True)
-    )
-    if array.dtype != dtype or not fits:
-        raise ValueError(
-            f"{name} must be {dtype.__name__} of shape {shape}, got {array.dtype} {array.shape}"
-        )
-    return array

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from divbandit._core import Coverage, coverage
+from divbandit.measures.coverage import Coverage, coverage
 from divbandit.measures.entropy import Entropy
 from divbandit.measures.grid import GridCoverage
 from divbandit.measures.protocol import Measure
@@ -11,4 +11,4 @@ from divbandit.measures.sparseness import Sparseness
 __all__ = ["Coverage", "Entropy", "GridCoverage", "Measure", "Sparseness", "coverage"]
 
 if TYPE_CHECKING:  # what mypy is to hold to the protocol
-    _MEASURES: tuple[type[Measure], ...] = (Entropy, GridCoverage, Sparseness)
+    _MEASURES: tuple[type[Measure], ...] = (Coverage, Entropy, GridCoverage, Sparseness)

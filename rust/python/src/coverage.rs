@@ -1,59 +1,32 @@
-//! Binding of the diversity measure.
+//! Binding of the diversity measure: the kernel that `divbandit.Coverage` is made of.
 
-use divbandit_core::Coverage;
+use divbandit_core::coverage::{Coverage, Estimated, Sampling};
 use divbandit_core::error::check_finite;
-use numpy::{IntoPyArray, PyArray1};
-use pyo3::exceptions::PyValueError;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
+use pyo3::types::PyBool;
 
-use crate::arrays::{Floats, count, number};
+use crate::arrays::{Floats, count, number, read_only};
 use crate::errors::value_error;
 
-/// The diversity C_tau of a growing set of effects: the measure of the union of the balls of
-/// radius tau around them (Benureau and Oudeyer 2015).
-///
-/// In the plane it is the exact area of a union of discs: each gain is right to some 1e-14 of
-/// a disc's area. The time of a gain grows with the number of effects within 2 tau that covered
-/// something new when they came.
-///
-/// Parameters
-/// ----------
-/// tau : float
-///     Radius of the balls, in the units of the effects; positive.
-/// dim : int
-///     Dimension of the effects. Only 2 is supported.
-///
-/// Raises
-/// ------
-/// TypeError, ValueError
-///     If `tau` is not a positive number, or `dim` is not 2.
-///
-/// Examples
-/// --------
-/// >>> import divbandit as db
-/// >>> cov = db.Coverage(1.0)
-/// >>> cov.add([0, 0])
-/// 3.141592653589793
-/// >>> cov.add([5, 0]), cov.add([0, 0])
-/// (3.141592653589793, 0.0)
-/// >>> cov.measure
-/// 6.283185307179586
-#[pyclass(module = "divbandit", name = "Coverage")]
+/// The union of balls that `divbandit.Coverage` is made of.
+#[pyclass(module = "divbandit._core", name = "Coverage", subclass)]
 #[derive(Clone)]
 pub(crate) struct PyCoverage(Coverage);
 
 #[pymethods]
 impl PyCoverage {
     #[new]
-    #[pyo3(signature = (tau, *, dim=None), text_signature = "(tau, *, dim=2)")]
-    fn new(tau: &Bound<'_, PyAny>, dim: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        let dim = dim.map_or(Ok(2), |dim| count("dim", dim))?;
-        if dim != 2 {
-            return Err(PyValueError::new_err(format!(
-                "dim must be 2 (the only dimension supported), got {dim}"
-            )));
-        }
-        Coverage::new(number("tau", tau)?).map(Self).map_err(value_error)
+    fn new(
+        tau: &Bound<'_, PyAny>,
+        dim: &Bound<'_, PyAny>,
+        accuracy: &Bound<'_, PyAny>,
+        key: u64,
+    ) -> PyResult<Self> {
+        let (tau, dim) = (number("tau", tau)?, count("dim", dim)?);
+        let sampling = Sampling { accuracy: number("accuracy", accuracy)?, key };
+        Coverage::sampled(tau, dim, sampling).map(Self).map_err(value_error)
     }
 
     /// Radius of the balls, in the units of the effects.
@@ -65,13 +38,67 @@ impl PyCoverage {
     /// Dimension of the effects.
     #[getter]
     fn dim(&self) -> usize {
-        2
+        self.0.dim()
+    }
+
+    /// Whether gains are exact, which they are up to dimension 3, or estimated.
+    #[getter]
+    fn exact(&self) -> bool {
+        self.0.is_exact()
+    }
+
+    /// The standard error that each estimated gain has at most, as a share of a ball's measure.
+    #[getter]
+    fn accuracy(&self) -> f64 {
+        self.0.sampling().accuracy
+    }
+
+    /// What an estimate's random numbers are made from.
+    #[getter]
+    fn _key(&self) -> u64 {
+        self.0.sampling().key
     }
 
     /// The measure of the union: the diversity of all effects together.
     #[getter]
     fn measure(&self) -> f64 {
         self.0.measure()
+    }
+
+    /// The standard error of `measure`; 0.0 where it is exact.
+    #[getter]
+    fn standard_error(&self) -> f64 {
+        self.0.standard_error()
+    }
+
+    /// The measure of one ball, which no gain exceeds.
+    #[getter]
+    fn largest_gain(&self) -> f64 {
+        self.0.ball()
+    }
+
+    /// All effects in order: shape (n, dim), read-only.
+    #[getter]
+    fn effects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let flat = PyArray1::from_slice(py, self.0.effects());
+        let rows = flat.reshape([self.0.len(), self.0.dim()])?;
+        rows.try_readwrite()?.make_nonwriteable();
+        Ok(rows)
+    }
+
+    /// What each effect gained when it came: shape (n,), read-only.
+    #[getter]
+    fn gains<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        read_only(py, self.0.gains())
+    }
+
+    /// The standard error of each of `gains`: shape (n,), read-only; zeros where they are exact.
+    #[getter]
+    fn standard_errors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        if self.0.is_exact() {
+            return read_only(py, &vec![0.0; self.0.len()]);
+        }
+        read_only(py, self.0.standard_errors())
     }
 
     /// Add an effect and return its gain, div_tau(effect, E): the measure that it adds.
@@ -97,7 +124,8 @@ impl PyCoverage {
     /// >>> round(cov.add([0.1, 0.2]), 9)
     /// 0.001256637
     fn add(&mut self, effect: &Bound<'_, PyAny>) -> PyResult<f64> {
-        self.0.add(pair(effect)?).map_err(value_error)
+        let effect = Floats::point("effect", effect, Some(self.0.dim()))?;
+        self.0.add(effect.slice()?).map_err(value_error)
     }
 
     /// Add effects in order and return the gain of each at its turn.
@@ -115,7 +143,7 @@ impl PyCoverage {
     /// TypeError, ValueError
     ///     If one is no finite point of this dimension; nothing is added then.
     /// KeyboardInterrupt
-    ///     On Ctrl-C; the first so many thousand effects are added then.
+    ///     On Ctrl-C; the first so many effects are added then.
     ///
     /// Examples
     /// --------
@@ -127,24 +155,35 @@ impl PyCoverage {
         py: Python<'py>,
         effects: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let effects = Floats::points("effects", effects, 2)?;
-        Ok(extend(py, &mut self.0, effects.slice()?)?.into_pyarray(py))
+        let effects = self.points("effects", effects)?;
+        let mut gains = vec![0.0; effects.len() / self.0.dim()];
+        let some = self.at_once();
+        for (effects, gains) in effects.chunks(some * self.0.dim()).zip(gains.chunks_mut(some)) {
+            py.detach(|| self.0.extend(effects, gains)).map_err(value_error)?;
+            py.check_signals()?;
+        }
+        Ok(gains.into_pyarray(py))
     }
 
     /// What `add(effect)` would return; nothing is added.
     ///
     /// Parameters
     /// ----------
-    /// effect : array_like, shape (dim,)
+    /// effect : array_like, shape (dim,) or (n, dim)
+    /// with_error : bool
+    ///     Whether to return the standard error as well.
     ///
     /// Returns
     /// -------
-    /// float
+    /// gain : float, or numpy.ndarray of float64, shape (n,)
+    ///     For many effects the gain of each by itself, as if the others were not there.
+    /// standard_error : float, or numpy.ndarray of float64, shape (n,)
+    ///     Only if asked for: 0.0 where the gain is exact.
     ///
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If it is no finite point of this dimension.
+    ///     If one is no finite point of this dimension.
     ///
     /// Examples
     /// --------
@@ -152,78 +191,195 @@ impl PyCoverage {
     /// >>> cov = db.Coverage(1.0)
     /// >>> cov.gain([0, 0]), cov.measure
     /// (3.141592653589793, 0.0)
-    fn gain(&mut self, effect: &Bound<'_, PyAny>) -> PyResult<f64> {
-        self.0.gain(pair(effect)?).map_err(value_error)
+    /// >>> _ = cov.add([0, 0])
+    /// >>> cov.gain([[0, 0], [2, 0]])
+    /// array([0.        , 3.14159265])
+    #[pyo3(signature = (effect, *, with_error=None), text_signature = "($self, effect, *, with_error=False)")]
+    fn gain<'py>(
+        &mut self,
+        py: Python<'py>,
+        effect: &Bound<'py, PyAny>,
+        with_error: Option<&Bound<'py, PyBool>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let with_error = with_error.is_some_and(PyBoolMethods::is_true);
+        let points = Floats::either("effect", effect, self.0.dim())?;
+        if !points.is_batch() {
+            let found = self.0.estimate(points.slice()?).map_err(value_error)?;
+            return one(py, found, with_error);
+        }
+        let effects = self.points("effect", effect)?;
+        let (mut gains, mut errors) = (Vec::new(), Vec::new());
+        for some in effects.chunks(self.at_once() * self.0.dim()) {
+            py.detach(|| {
+                for effect in some.chunks_exact(self.0.dim()) {
+                    let found = self.0.estimate(effect)?;
+                    gains.push(found.gain);
+                    errors.push(found.standard_error);
+                }
+                Ok(())
+            })
+            .map_err(value_error)?;
+            py.check_signals()?;
+        }
+        let gains = gains.into_pyarray(py);
+        if with_error {
+            return Ok((gains, errors.into_pyarray(py)).into_pyobject(py)?.into_any());
+        }
+        Ok(gains.into_any())
+    }
+
+    /// What would be lost without an effect: the measure of the part of its ball that lies in
+    /// no other effect's.
+    ///
+    /// It takes as long as adding all effects within 2 tau anew.
+    ///
+    /// Parameters
+    /// ----------
+    /// index : int
+    ///     The effect's place in the order in which they were added; from the end if negative.
+    /// with_error : bool
+    ///     Whether to return the standard error as well.
+    ///
+    /// Returns
+    /// -------
+    /// contribution : float
+    /// standard_error : float
+    ///     Only if asked for: 0.0 where the contribution is exact.
+    ///
+    /// Raises
+    /// ------
+    /// TypeError
+    ///     If `index` is no whole number.
+    /// IndexError
+    ///     If there is no such effect.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import divbandit as db
+    /// >>> cov = db.Coverage(1.0, dim=1)
+    /// >>> cov.extend([[0], [1], [1.5]])
+    /// array([2. , 1. , 0.5])
+    /// >>> cov.contribution(0), cov.contribution(1), cov.contribution(-1)
+    /// (1.0, 0.0, 0.5)
+    #[pyo3(signature = (index, *, with_error=None), text_signature = "($self, index, *, with_error=False)")]
+    fn contribution<'py>(
+        &mut self,
+        py: Python<'py>,
+        index: &Bound<'py, PyAny>,
+        with_error: Option<&Bound<'py, PyBool>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let place = match place("index", index, self.0.len())? {
+            Some(place) => place,
+            None => {
+                return Err(PyIndexError::new_err(format!(
+                    "index must be that of one of {} effects, got {index}",
+                    self.0.len()
+                )));
+            }
+        };
+        let found = py.detach(|| self.0.contribution(place)).map_err(value_error)?;
+        one(py, found, with_error.is_some_and(PyBoolMethods::is_true))
+    }
+
+    /// Whether points lie in the union: no farther than tau from some effect.
+    ///
+    /// Parameters
+    /// ----------
+    /// points : array_like, shape (dim,) or (n, dim)
+    ///
+    /// Returns
+    /// -------
+    /// bool, or numpy.ndarray of bool, shape (n,)
+    ///
+    /// Raises
+    /// ------
+    /// TypeError, ValueError
+    ///     If one is no finite point of this dimension.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import divbandit as db
+    /// >>> cov = db.Coverage(1.0)
+    /// >>> _ = cov.add([0, 0])
+    /// >>> cov.contains([1, 0]), cov.contains([[0.5, 0.5], [1, 1]])
+    /// (True, array([ True, False]))
+    fn contains<'py>(
+        &mut self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let borrowed = Floats::either("points", points, self.0.dim())?;
+        if !borrowed.is_batch() {
+            let inside = self.0.contains(borrowed.slice()?).map_err(value_error)?;
+            return Ok(PyBool::new(py, inside).to_owned().into_any());
+        }
+        let points = self.points("points", points)?;
+        let inside: Result<Vec<bool>, _> = py.detach(|| {
+            points.chunks_exact(self.0.dim()).map(|point| self.0.contains(point)).collect()
+        });
+        Ok(inside.map_err(value_error)?.into_pyarray(py).into_any())
     }
 
     fn __len__(&self) -> usize {
         self.0.len()
     }
 
-    fn __copy__(&self) -> Self {
-        self.clone()
+    /// Becomes what `other` is; a copy then goes its own way.
+    fn _become(&mut self, other: &Self) {
+        self.0 = other.0.clone();
     }
 
-    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
-        self.clone()
-    }
-
-    fn __repr__(&self) -> String {
-        let (len, tau, measure) = (self.0.len(), self.0.tau(), self.0.measure());
-        format!("<Coverage of {len} effects, tau={tau:?}, measure={measure:?}>")
+    /// Becomes what effects, gains and standard errors were logged of.
+    fn _restore(
+        &mut self,
+        py: Python<'_>,
+        effects: &Bound<'_, PyAny>,
+        gains: &Bound<'_, PyAny>,
+        standard_errors: &Bound<'_, PyAny>,
+    ) -> PyResult<()> {
+        let effects = self.points("effects", effects)?;
+        let gains = Floats::point("gains", gains, None)?.slice()?.to_vec();
+        let errors = Floats::point("standard_errors", standard_errors, None)?.slice()?.to_vec();
+        let (tau, dim, sampling) = (self.0.tau(), self.0.dim(), self.0.sampling());
+        let restored =
+            py.detach(|| Coverage::restored(tau, dim, sampling, &effects, &gains, &errors));
+        self.0 = restored.map_err(value_error)?;
+        Ok(())
     }
 }
 
-/// The diversity C_tau of a whole set of effects at once (Benureau and Oudeyer 2015).
-///
-/// Parameters
-/// ----------
-/// effects : array_like, shape (n, 2)
-/// tau : float
-///     Radius of the discs, in the units of the effects; positive.
-///
-/// Returns
-/// -------
-/// float
-///     The area of the union of the discs; 0 for no effects.
-///
-/// Raises
-/// ------
-/// TypeError, ValueError
-///     If one is no finite point of the plane, or `tau` is not a positive number.
-///
-/// Examples
-/// --------
-/// >>> import divbandit as db
-/// >>> db.coverage([[0, 0], [1, 0]], 1.0)
-/// 5.05481560857083
-#[pyfunction]
-pub(crate) fn coverage(
-    py: Python<'_>,
-    effects: &Bound<'_, PyAny>,
-    tau: &Bound<'_, PyAny>,
-) -> PyResult<f64> {
-    let effects = Floats::points("effects", effects, 2)?;
-    let mut union = Coverage::new(number("tau", tau)?).map_err(value_error)?;
-    extend(py, &mut union, effects.slice()?)?;
-    Ok(union.measure())
-}
-
-/// Adds effects a thousand at a time, without the GIL but open to Ctrl-C in between.
-fn extend(py: Python<'_>, union: &mut Coverage, effects: &[f64]) -> PyResult<Vec<f64>> {
-    // A copy: while others run, they may change the array between its check and its use.
-    let effects = effects.to_vec();
-    check_finite("effects", &effects, 2).map_err(value_error)?;
-    let mut gains = vec![0.0; effects.len() / 2];
-    for (some, gains) in effects.chunks(2000).zip(gains.chunks_mut(1000)) {
-        py.detach(|| union.extend(some, gains)).map_err(value_error)?;
-        py.check_signals()?;
+impl PyCoverage {
+    /// A copy of many points, checked: while others run, they may change an array between its
+    /// check and its use.
+    fn points(&self, name: &'static str, points: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+        let points = Floats::points(name, points, self.0.dim())?.slice()?.to_vec();
+        check_finite(name, &points, self.0.dim()).map_err(value_error)?;
+        Ok(points)
     }
-    Ok(gains)
+
+    /// How many effects to work on before Ctrl-C is asked for: what takes some milliseconds.
+    fn at_once(&self) -> usize {
+        match self.0.dim() {
+            1 | 2 => 1000,
+            3 => 100,
+            _ => 4,
+        }
+    }
 }
 
-fn pair(effect: &Bound<'_, PyAny>) -> PyResult<[f64; 2]> {
-    let effect = Floats::point("effect", effect, Some(2))?;
-    let effect = effect.slice()?;
-    Ok([effect[0], effect[1]])
+/// A gain alone, or with its standard error.
+fn one(py: Python<'_>, found: Estimated, with_error: bool) -> PyResult<Bound<'_, PyAny>> {
+    if with_error {
+        return Ok((found.gain, found.standard_error).into_pyobject(py)?.into_any());
+    }
+    Ok(found.gain.into_pyobject(py)?.into_any())
+}
+
+/// The place that an index into `len` things means, from the end if negative.
+fn place(name: &str, index: &Bound<'_, PyAny>, len: usize) -> PyResult<Option<usize>> {
+    if index.lt(0).unwrap_or(false) {
+        let from_end = count(name, &index.neg()?)?;
+        return Ok(len.checked_sub(from_end));
+    }
+    Ok(Some(count(name, index)?).filter(|&place| place < len))
 }

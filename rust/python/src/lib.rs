@@ -24,7 +24,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<bounds::PyBounds>()?;
     module.add_class::<coverage::PyCoverage>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
-    module.add_function(wrap_pyfunction!(coverage::coverage, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::inverse, module)?)?;
     module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;
     Ok(())

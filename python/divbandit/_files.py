@@ -1,0 +1,86 @@
+"""Files of arrays: NumPy's npz with its format's name and version in it, and nothing pickled."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import zipfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar, cast
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    PathLike = str | os.PathLike[str]
+    Arrays = dict[str, NDArray[Any]]
+
+Built = TypeVar("Built")
+
+
+def write(path: PathLike, kind: str, version: int, arrays: Arrays) -> None:
+    """Write arrays to a file, replacing it whole or not at all."""
+    # The names come first, so that nothing can go missing unnoticed.
+    arrays = {"format": np.array([kind, str(version), *arrays]), **arrays}
+    target = Path(path).resolve()  # what a link points to, not the link
+    temporary = target.with_name(f".{secrets.token_hex(8)}.tmp")
+    try:
+        with temporary.open("xb") as file:
+            np.savez_compressed(file, **cast("Any", arrays))
+        temporary.replace(target)
+    except OSError as error:
+        error.filename = os.fspath(path)
+        raise
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def read(
+    path: PathLike, kind: str, version: int, build: Callable[[Arrays], Built], *, writer: str
+) -> Built:
+    """Return what `build` makes of the arrays of a file that `write` wrote.
+
+    Whatever else the file is, and whatever `build` finds wrong, becomes a ValueError that names
+    the file and what should have written it.
+    """
+    with Path(path).open("rb") as file:
+        try:
+            if not zipfile.is_zipfile(file):
+                raise ValueError("it is no npz file, or a part of one")  # noqa: TRY301
+            file.seek(0)
+            with np.load(file, allow_pickle=False) as saved:
+                arrays = dict(saved.items())
+            _check_format(arrays, kind, version)
+            return build(arrays)
+        except Exception as error:  # a damaged file can break its readers in any way
+            raise ValueError(
+                f"path must be a file written by {writer}, got {os.fspath(path)!r}: {error}"
+            ) from error
+
+
+def _check_format(arrays: Arrays, kind: str, version: int) -> None:
+    if "format" not in arrays:
+        raise ValueError("it does not say its format")
+    name, got, *names = (str(word) for word in arrays["format"])
+    if name != kind or int(got) != version:
+        raise ValueError(f"format must be {kind!r} {version}, got {name!r} {got}")
+    if {"format", *names} != set(arrays):
+        raise ValueError(f"arrays must be {names}, got {sorted(arrays)}")
+
+
+def array(
+    arrays: Arrays, name: str, dtype: type[np.generic], shape: tuple[int | None, ...]
+) -> NDArray[Any]:
+    """Return an array of a file if it has the type and shape (None: any) that it must have."""
+    array = arrays[name]
+    fits = array.ndim == len(shape) and all(
+        want in (None, got) for want, got in zip(shape, array.shape, strict=True)
+    )
+    if array.dtype != dtype or not fits:
+        raise ValueError(
+            f"{name} must be {dtype.__name__} of shape {shape}, got {array.dtype} {array.shape}"
+        )
+    return array

@@ -26,6 +26,10 @@ def without(values, *names):
     return {name: value for name, value in values.items() if name not in names}
 
 
+# Rows of another length are points of another dimension.
+RAGGED_ROWS = without(ROWS, "too short", "too long")
+
+
 POINTS, ROWS = points(2), rows(2)
 NONE = {"None": None}
 NOT_SPACES = WRONG_SPACES | NONE

@@ -32,6 +32,6 @@ def test_effects_of_a_dimension_that_coverage_does_not_take_have_none():
         db.FunctionEnvironment(lambda x: x, space, space), db.MotorBabbling(), n=3, rng=0
     )
     with pytest.raises(
-        ValueError, match="effects must have a dimension that coverage can measure, got 40"
+        ValueError, match="effects must be of a dimension that coverage takes, got 40"
     ):
         run.coverage(0.1)

@@ -47,8 +47,6 @@ def test_the_default_measures_in_whatever_dimension_coverage_takes(dim):
 
 @pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
 def test_the_default_says_which_dimensions_it_takes(known):
-    message = (
-        "effects must have a dimension that Adapt can measure, got 40: dim must be from 1 to 32"
-    )
+    message = "effects must be of a dimension that Adapt takes, got 40: dim must be from 1 to 32"
     with pytest.raises(ValueError, match=message):
         db.explore(cube(40, known=known), db.Adapt([RMB()]), n=1, rng=0)

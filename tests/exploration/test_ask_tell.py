@@ -83,14 +83,10 @@ def test_effects_that_the_strategy_cannot_use_are_refused_at_the_first():
     adapt = db.Adapt([db.MotorBabbling()])
     explorer = db.Explorer(adapt, ARM.motor_space, rng=0)
     trial = explorer.ask()
-    with pytest.raises(
-        ValueError, match="effects must have a dimension that Adapt can measure, got 33"
-    ):
+    with pytest.raises(ValueError, match="effects must be of a dimension that Adapt takes, got 33"):
         explorer.tell(trial, [0.0] * 33)
     assert len(explorer.history) == 0
-    with pytest.raises(
-        ValueError, match="effects must have a dimension that Adapt can measure, got 40"
-    ):
+    with pytest.raises(ValueError, match="effects must be of a dimension that Adapt takes, got 40"):
         db.Explorer(adapt, ARM.motor_space, db.Box([0] * 40, [1] * 40))
 
 

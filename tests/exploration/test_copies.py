@@ -76,9 +76,7 @@ def test_the_dimension_is_checked_after_writing_by_hand():
     explorer = db.Explorer(db.Adapt([db.MotorBabbling()]), ARM.motor_space, rng=0)
     explorer.history.append([0.0] * 5, [1.0] * 33)
     trial = explorer.ask()
-    with pytest.raises(
-        ValueError, match="effects must have a dimension that Adapt can measure, got 33"
-    ):
+    with pytest.raises(ValueError, match="effects must be of a dimension that Adapt takes, got 33"):
         explorer.tell(trial, [1.0] * 33)
     assert len(explorer.history) == 1
 

@@ -14,7 +14,7 @@ def fresh():
         "coverage": db.Coverage(0.3),
         "coverage, one dimension": db.Coverage(0.1, dim=1),
         "coverage, three dimensions": db.Coverage(0.4, dim=3),
-        "coverage, five dimensions": db.Coverage(0.8, dim=5, accuracy=0.01, rng=0),
+        "coverage, four dimensions": db.Coverage(0.8, dim=4, accuracy=0.01, rng=0),
         "grid": db.GridCoverage(0.25),
         "grid, edges and origin": db.GridCoverage([0.25, 0.5], origin=[0.1, -3]),
         "grid, one dimension": db.GridCoverage(0.25, dim=1),

@@ -45,5 +45,5 @@ def covering(name: str, tau: float, dim: int) -> Measure:
         return Coverage(tau, dim=dim, rng=0)
     except ValueError as error:
         raise ValueError(
-            f"effects must have a dimension that {name} can measure, got {dim}: {error}"
+            f"effects must be of a dimension that {name} takes, got {dim}: {error}"
         ) from None

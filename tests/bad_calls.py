@@ -26,11 +26,8 @@ def without(values, *names):
     return {name: value for name, value in values.items() if name not in names}
 
 
-# Rows of another length are points of another dimension.
-RAGGED_ROWS = without(ROWS, "too short", "too long")
-
-
 POINTS, ROWS = points(2), rows(2)
+RAGGED_ROWS = without(ROWS, "too short", "too long")  # those are of another dimension
 NONE = {"None": None}
 NOT_SPACES = WRONG_SPACES | NONE
 BATCH = POINTS | {"a bad row": [[0, 0], [math.nan, 0]], "a row beyond": [[0, 0], [2, 0]]}

@@ -216,6 +216,14 @@ fn exact_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - b_part)) + (b - b_part))
 }
 
+/// The greatest whole number that is no greater, as far as those go. Without a call of the
+/// platform's function, which the oldest instruction set needs for each.
+#[inline]
+pub(crate) fn floor(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero.saturating_sub(i64::from(towards_zero as f64 > x))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,7 +8,7 @@
 use rustc_hash::FxHashMap;
 
 use super::Disc;
-use super::circle::Span;
+use super::circle::{Span, floor};
 use super::crowd::Crowd;
 use super::sectors::{self, Reach, Sectors};
 
@@ -69,8 +69,8 @@ pub(crate) struct Grid {
 /// missed: the cast saturates and stays monotone.
 #[inline]
 fn locate(quotient: f64) -> (i64, f64) {
-    let floor = quotient.floor();
-    (floor as i64, quotient - floor)
+    let cell = floor(quotient);
+    (cell, quotient - cell as f64)
 }
 
 impl Grid {

@@ -8,7 +8,7 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use super::circle::{Direction, Span};
+use super::circle::{Direction, Span, floor};
 
 /// Which sectors something touches: a bit each.
 pub(crate) type Sectors = u32;
@@ -23,7 +23,7 @@ pub(crate) fn of_arcs(arcs: &[Span]) -> Sectors {
 
 /// The sectors from one place to another, in sectors, and a little more at both ends.
 fn between(from: f64, to: f64) -> Sectors {
-    let (low, high) = ((from - ROUNDING).floor() as i64, (to + ROUNDING).floor() as i64);
+    let (low, high) = (floor(from - ROUNDING), floor(to + ROUNDING));
     if high - low >= 31 {
         return Sectors::MAX;
     }

@@ -16,6 +16,7 @@ mod union;
 use crate::error::{Error, check_finite, check_length, check_rows, place};
 use crate::kdtree::NearestNeighbors;
 pub use estimate::Estimated;
+pub use plane::BoundaryArc;
 use sum::CompensatedSum;
 pub use union::Sampling;
 use union::{HIGHEST, Union};
@@ -271,6 +272,21 @@ impl Coverage {
         self.check("point", point)?;
         self.sync_tree()?;
         Ok(!self.is_empty() && self.tree.nearest(point)?.0 <= self.tau)
+    }
+
+    /// In the plane, the union's boundary as closed loops of arcs, counter-clockwise each around
+    /// its own centre: outer loops come out counter-clockwise, holes clockwise. None in other
+    /// dimensions.
+    ///
+    /// An arc ends where the next one of its loop begins; a disc on its own is a loop of one arc. A
+    /// loop begins with the least of its arcs by (`x`, `y`, `from`), and loops are in the order of
+    /// these. Loops shorter than a billionth of tau are left out.
+    #[must_use]
+    pub fn boundary(&self) -> Option<Vec<Vec<BoundaryArc>>> {
+        match &self.union {
+            Union::Plane(discs) => Some(discs.boundary()),
+            _ => None,
+        }
     }
 
     /// The measure from scratch, in the plane: the area that the boundary encloses. It costs a

@@ -13,10 +13,12 @@
 //! boundary closes: own arcs and swallowed stretches meet end to end.
 
 mod area;
+mod boundary;
 mod circle;
 mod covers;
 mod crowd;
 mod grid;
+mod joints;
 mod sectors;
 mod survey;
 
@@ -24,6 +26,7 @@ use smallvec::SmallVec;
 
 use super::sum::CompensatedSum;
 use area::twice_area_under;
+pub use boundary::BoundaryArc;
 use circle::{Arc, Direction, Span};
 use grid::Grid;
 use survey::{Survey, Swallowing};

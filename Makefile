@@ -3,12 +3,15 @@
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
+# How long `make fuzz` tries each of its targets.
+FUZZ_SECONDS ?= 300
+FUZZ   := .tools/bin/cargo-fuzz
 PIP    := $(BIN)/python -m pip install --quiet --constraint requirements.txt
 # The build finds the environment to install into by this variable.
 export VIRTUAL_ENV := $(CURDIR)/$(VENV)
 
 .DEFAULT_GOAL := help
-.PHONY: help reproduce test lint types test-rust test-python test-wheel bench lock clean develop
+.PHONY: help reproduce test lint types test-rust test-python test-wheel bench fuzz lock clean develop
 
 help: ## list the verbs
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## /\1\t/' | expand -t 14
@@ -23,9 +26,18 @@ bench: $(VENV)/.test develop ## kernels (criterion) and peers; the peers' table 
 	$(BIN)/python benches/peers.py --readme README.md
 	$(BIN)/python benches/loop.py
 
+fuzz: $(FUZZ) ## the coverage kernels' laws on hostile effects, FUZZ_SECONDS (300) for each target
+	@for target in plane space; do \
+		mkdir -p fuzz/corpus/$$target && \
+		echo "fuzzing $$target for $(FUZZ_SECONDS) s from fuzz/seeds/$$target" && \
+		$(FUZZ) run --sanitizer none $$target fuzz/corpus/$$target fuzz/seeds/$$target \
+			-- -max_total_time=$(FUZZ_SECONDS) -max_len=512 -timeout=20 -print_final_stats=1 || exit 1; \
+	done
+
 lint: $(VENV)/.test # formatting and linters of both languages
 	cargo fmt --all --check
 	cargo clippy --locked --workspace --all-targets -- -D warnings
+	cargo fmt --manifest-path fuzz/Cargo.toml --check
 	$(BIN)/ruff format --check
 	$(BIN)/ruff check
 
@@ -53,11 +65,14 @@ lock: $(VENV)/.test # requirements.txt anew, from pyproject.toml
 		--no-emit-find-links --no-emit-trusted-host --unsafe-package divbandit --output-file requirements.txt pyproject.toml
 
 clean: ## remove all that was built
-	rm -rf target dist figures $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf target fuzz/target .tools dist figures $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # The compiled module, built in place; a moment when nothing has changed.
 develop: $(VENV)/.run
 	$(BIN)/maturin develop --release --locked > $(VENV)/develop.log 2>&1 || { cat $(VENV)/develop.log; exit 1; }
+
+$(FUZZ):
+	cargo install --quiet --locked --root .tools --version 0.13.2 cargo-fuzz
 
 $(VENV)/.run: requirements.txt
 	$(PYTHON) -m venv $(VENV)

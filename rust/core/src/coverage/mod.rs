@@ -291,6 +291,9 @@ impl Coverage {
 
     /// The measure from scratch, in the plane: the area that the boundary encloses. It costs a
     /// pass over the boundary, and is what the gains add up to. None in other dimensions.
+    ///
+    /// Unlike the gains it depends on where the discs lie: its error grows with their distance
+    /// from the origin, and 1e150 radii away it may be no number.
     #[must_use]
     pub fn boundary_integral(&self) -> Option<f64> {
         match &self.union {

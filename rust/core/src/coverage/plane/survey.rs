@@ -26,6 +26,7 @@ pub(crate) struct Survey {
     /// Older discs of which arcs are swallowed.
     pub swallowing: Vec<Swallowing>,
     area: TwiceArea,
+    twice_gain: f64,
 }
 
 /// An older disc - its cell and place - and the part of its circle inside the new disc.
@@ -85,11 +86,16 @@ impl Survey {
         for &arc in &self.own {
             self.area.add_own(arc);
         }
+        self.twice_gain = self.area.total();
+        let noise = self.twice_gain.abs() < NOISE && self.changes_boundary();
+        if noise && covers::is_stored((x, y), tau, grid) {
+            self.clear(); // a duplicate of a disc without boundary, but for rounding
+        }
     }
 
     /// Twice the area added, in squared radii.
     pub fn twice_gain(&self) -> f64 {
-        self.area.total()
+        self.twice_gain
     }
 
     /// Whether the union's boundary would change at all.
@@ -102,6 +108,7 @@ impl Survey {
         self.own.clear();
         self.swallowing.clear();
         self.area = TwiceArea::default();
+        self.twice_gain = 0.0;
     }
 
     /// Collects the discs whose exposed arcs may reach into a new one.
@@ -144,7 +151,9 @@ impl Survey {
         met
     }
 
-    /// Finds the exposed parts from the crossings; `false` if those don't fit together.
+    /// Finds the exposed parts from the crossings; `false` if those don't fit together, or if
+    /// rounding hides which of two comes first: a circle through the point where two discs touch
+    /// leaves one and enters the other there, and the other way round all else were exposed.
     fn expose(&mut self) -> bool {
         let crossings = &mut self.crossings;
         if crossings.is_empty() {
@@ -159,8 +168,11 @@ impl Survey {
             }
         }
         let mut before = crossings[crossings.len() - 1];
+        let mut before_turn = before.at.turn - 4.0;
         for &crossing in crossings.iter() {
-            if before.leaves == crossing.leaves {
+            let gap = crossing.at.turn - before_turn;
+            before_turn = crossing.at.turn;
+            if before.leaves == crossing.leaves || gap < UNSURE {
                 self.own.clear();
                 return false;
             }
@@ -190,3 +202,7 @@ impl Met {
 /// How close to an arc's end, in turns, a crossing must be to be told by other means. Ends are
 /// right to some 1e-15.
 const UNSURE: f64 = 1e-12;
+
+/// Twice the area, in squared radii, up to which a gain may be rounding alone. What was measured
+/// of a repeated disc is 1e-14.
+const NOISE: f64 = 1e-12;

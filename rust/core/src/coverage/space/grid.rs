@@ -34,10 +34,11 @@ impl Grid {
     pub fn around(&self, point: Vector) -> impl Iterator<Item = &[Vector]> {
         let [i, j, k] = self.key(point);
         (0..27).filter_map(move |step: i64| {
+            // Beyond the outermost cubes there are none; to meet those twice would count twice.
             let key = [
-                i.saturating_add(step / 9 - 1),
-                j.saturating_add(step / 3 % 3 - 1),
-                k.saturating_add(step % 3 - 1),
+                i.checked_add(step / 9 - 1)?,
+                j.checked_add(step / 3 % 3 - 1)?,
+                k.checked_add(step % 3 - 1)?,
             ];
             self.cubes.get(&key).map(Vec::as_slice)
         })

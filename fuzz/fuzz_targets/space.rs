@@ -1,0 +1,12 @@
+//! Growing unions of balls in space, from any bytes: do all laws hold?
+
+#![no_main]
+
+#[path = "../../rust/core/tests/laws/mod.rs"]
+mod laws;
+#[path = "../../rust/core/tests/oracles/mod.rs"]
+mod oracles;
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| laws::space::check_bytes(bytes));

@@ -1,0 +1,28 @@
+//! The laws in space: those of any dimension, and the volume by slices.
+
+use super::sequence::{Sequence, decode};
+use super::{Passed, Tolerance, check, near};
+use crate::oracles::space::union_volume;
+
+/// Gains below 1e-13 of a ball count as none, which order decides.
+const TOLERANCE: Tolerance =
+    Tolerance { order: 2e-13, contribution: 2e-13, submodular: 2e-13, same: 0.0 };
+
+/// The most effects whose volume is also found by slices, and how far from the origin.
+const FEW: usize = 4;
+const MODERATE: f64 = 100.0;
+
+/// Decodes a sequence of effects in space and checks all laws.
+pub fn check_bytes(bytes: &[u8]) {
+    check_sequence(&decode(bytes));
+}
+
+pub fn check_sequence(sequence: &Sequence<3>) {
+    let Passed { tau, effects, coverage } = check(sequence, TOLERANCE);
+    let far = effects.as_flattened().iter().fold(0.0, |far: f64, x| far.max((x / tau).abs()));
+    let n = effects.len();
+    if n <= FEW && far <= MODERATE {
+        let expected = union_volume(&effects, tau);
+        near("the volume by slices", expected, coverage.measure(), coverage.ball(), n, 1e-9);
+    }
+}

@@ -8,6 +8,7 @@ import numpy as np
 
 from divbandit import _core, _files
 from divbandit._checks import generator
+from divbandit.measures.boundary import Loop
 
 if TYPE_CHECKING:
     import os
@@ -101,6 +102,40 @@ class Coverage(_core.Coverage):
         if cov.exact:
             return cov
         return super().__new__(cls, tau, dim, accuracy, int(generator(rng).random() * 2**53))
+
+    def boundary(self) -> tuple[Loop, ...]:
+        """Return the boundary of the union in the plane: closed loops of circular arcs, exactly.
+
+        Outer loops run counter-clockwise and holes clockwise, so that the union lies on the left.
+
+        Returns
+        -------
+        tuple of Loop
+            Those of no effects are none. Loops shorter than a billionth of tau are left out.
+
+        Raises
+        ------
+        ValueError
+            If the effects are not in the plane.
+
+        Examples
+        --------
+        A ring of six discs has an outer boundary and a hole.
+
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> angles = np.arange(6) * np.pi / 3
+        >>> cov = db.Coverage(1.0)
+        >>> _ = cov.extend(1.5 * np.stack([np.cos(angles), np.sin(angles)], axis=1))
+        >>> [(len(loop.arcs), loop.is_hole) for loop in cov.boundary()]
+        [(6, False), (6, True)]
+        >>> bool(np.isclose(sum(loop.area for loop in cov.boundary()), cov.measure))
+        True
+        """
+        loops = self._boundary()
+        if loops is None:
+            raise ValueError(f"effects must be in the plane to have a boundary, got dim {self.dim}")
+        return tuple(Loop(arcs, self.tau) for arcs in loops)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all effects, their gains and how those are found to a file.

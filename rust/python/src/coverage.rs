@@ -1,6 +1,6 @@
 //! Binding of the diversity measure: the kernel that `divbandit.Coverage` is made of.
 
-use divbandit_core::coverage::{Coverage, Estimated, Sampling};
+use divbandit_core::coverage::{BoundaryArc, Coverage, Estimated, Sampling};
 use divbandit_core::error::check_finite;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyIndexError;
@@ -318,6 +318,17 @@ impl PyCoverage {
             points.chunks_exact(self.0.dim()).map(|point| self.0.contains(point)).collect()
         });
         Ok(inside.map_err(value_error)?.into_pyarray(py).into_any())
+    }
+
+    /// The union's boundary, loop by loop, in the plane: for each an array of shape (k, 4) with
+    /// the arcs' centre x, centre y, start and end angle; None in other dimensions.
+    fn _boundary<'py>(&self, py: Python<'py>) -> PyResult<Option<Vec<Bound<'py, PyArray2<f64>>>>> {
+        let Some(loops) = py.detach(|| self.0.boundary()) else { return Ok(None) };
+        let array = |arcs: &Vec<BoundaryArc>| {
+            let rows = arcs.iter().flat_map(|arc| [arc.x, arc.y, arc.from, arc.to]);
+            PyArray1::from_vec(py, rows.collect()).reshape([arcs.len(), 4])
+        };
+        loops.iter().map(array).collect::<PyResult<_>>().map(Some)
     }
 
     fn __len__(&self) -> usize {

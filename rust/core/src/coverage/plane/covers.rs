@@ -43,10 +43,3 @@ pub(crate) fn exposed(centre: (f64, f64), tau: f64, grid: &Grid) -> SmallVec<[Ar
     }
     exposed
 }
-
-/// Whether a disc around `centre` is stored, with or without boundary.
-#[cold]
-pub(crate) fn is_stored(centre: (f64, f64), tau: f64, grid: &Grid) -> bool {
-    let mut stored = grid.stored_around(centre.0, centre.1);
-    stored.any(|stored| Neighbour::new(stored, centre, tau).is_same())
-}

@@ -12,7 +12,9 @@
 //!
 //! The terms that cancel are of the size of the crowd, not of the radius. On a circle of centres
 //! a set that spans an angle is told apart from as far away as it is wide, so that a search
-//! visits a logarithmic number of sets.
+//! visits a logarithmic number of sets. The other way round, where circles with centres far apart
+//! crowd through a narrow hole, the arcs themselves lie close together, and a disc around them
+//! tells.
 
 use super::Disc;
 use super::circle::{Direction, Span};
@@ -41,6 +43,10 @@ struct Bound {
     spread: f64,
     /// The least product of a centre, relative to the common one and in radii, with `along`.
     least: f64,
+    /// The middle of the arcs' points, relative to `centre` and in radii, ...
+    middle: [f64; 2],
+    /// ... and how far from it they are at most.
+    reach: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -150,6 +156,12 @@ impl Item {
         }
     }
 
+    /// A point in the middle of the arc, but for its spread, relative to `origin` and in radii.
+    fn point(&self, origin: [f64; 2], tau: f64) -> [f64; 2] {
+        let away = relative(self.centre, origin, tau);
+        [away[0] + self.along[0], away[1] + self.along[1]]
+    }
+
     fn key(&self, axis: usize) -> f64 {
         if axis < 2 { self.centre[axis] } else { self.along[axis - 2] }
     }
@@ -194,13 +206,32 @@ impl Bound {
             along: [middle(2), middle(3)],
             spread: 0.0,
             least: f64::INFINITY,
+            middle: [0.0; 2],
+            reach: 0.0,
         };
+        bound.middle = bound.middle_of(items, tau);
         items.iter().for_each(|item| bound.include(item, tau));
         bound
     }
 
+    /// The middle of the box around the items' points, roughly: all else is relative to it.
+    fn middle_of(&self, items: &[Item], tau: f64) -> [f64; 2] {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for item in items {
+            let point = item.point(self.centre, tau);
+            for axis in 0..2 {
+                low[axis] = low[axis].min(point[axis]);
+                high[axis] = high[axis].max(point[axis]);
+            }
+        }
+        [low[0] + 0.5 * (high[0] - low[0]), low[1] + 0.5 * (high[1] - low[1])]
+    }
+
     fn include(&mut self, item: &Item, tau: f64) {
         let away = relative(item.centre, self.centre, tau);
+        let point = item.point(self.centre, tau);
+        let aside = [point[0] - self.middle[0], point[1] - self.middle[1]];
+        self.reach = self.reach.max(length(aside) + item.spread);
         let turned = [item.along[0] - self.along[0], item.along[1] - self.along[1]];
         self.radius = self.radius.max(length(away));
         self.spread = self.spread.max(length(turned) + item.spread);
@@ -210,13 +241,17 @@ impl Bound {
     /// Takes the bounds of two halves for their own, where they are narrower.
     fn narrow(&mut self, halves: &[Node; 2], tau: f64) {
         let (mut radius, mut spread, mut least) = (0.0_f64, 0.0_f64, f64::INFINITY);
+        let mut reach = 0.0_f64;
         for half in halves.iter().filter_map(Node::bound) {
             let away = relative(half.centre, self.centre, tau);
             let turned = [half.along[0] - self.along[0], half.along[1] - self.along[1]];
+            let aside = [0, 1].map(|axis| away[axis] + half.middle[axis] - self.middle[axis]);
+            reach = reach.max(length(aside) + half.reach);
             radius = radius.max(length(away) + half.radius);
             spread = spread.max(length(turned) + half.spread);
             least = least.min(dot(away, self.along) + half.least - half.radius * length(turned));
         }
+        self.reach = self.reach.min(reach);
         self.radius = self.radius.min(radius);
         self.spread = self.spread.min(spread);
         self.least = self.least.max(least);
@@ -226,6 +261,11 @@ impl Bound {
     #[inline]
     fn is_outside(&self, point: [f64; 2], tau: f64) -> bool {
         let away = relative(self.centre, point, tau);
+        let towards = [away[0] + self.middle[0], away[1] + self.middle[1]];
+        let beyond = 1.0 + self.reach + ROUNDING;
+        if dot(towards, towards) > beyond * beyond {
+            return true;
+        }
         let distance = length(away);
         let gap = (distance - self.radius).max(0.0);
         let size = distance + self.radius;

@@ -181,6 +181,14 @@ impl Grid {
         })
     }
 
+    /// Whether a disc without boundary has this very centre.
+    #[cold]
+    pub fn has_buried(&self, centre: [f64; 2]) -> bool {
+        let [i, j] = centre.map(|x| locate(x / self.edge).0);
+        let index = self.index.get(&(i, j));
+        index.is_some_and(|&index| self.cells[index as usize].dead.contains(&centre))
+    }
+
     /// All discs that have boundary.
     pub fn discs(&self) -> impl Iterator<Item = &Disc> {
         self.cells.iter().flat_map(|cell| &cell.live).filter(|disc| !disc.arcs.is_empty())

@@ -88,8 +88,8 @@ impl Survey {
         }
         self.twice_gain = self.area.total();
         let noise = self.twice_gain.abs() < NOISE && self.changes_boundary();
-        if noise && covers::is_stored((x, y), tau, grid) {
-            self.clear(); // a duplicate of a disc without boundary, but for rounding
+        if noise && grid.has_buried([x, y]) {
+            self.clear(); // a disc that has lost its boundary comes again: all else is rounding
         }
     }
 

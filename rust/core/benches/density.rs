@@ -11,11 +11,14 @@ use cpu_time::ProcessTime;
 use criterion::{BenchmarkId, Criterion, Throughput};
 use divbandit_core::Coverage;
 
+#[path = "../tests/oracles/delaunay/mod.rs"]
+mod delaunay;
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
 mod settings;
 
-use oracles::{Stream, delaunay::Cells};
+use delaunay::Cells;
+use oracles::Stream;
 
 const N: usize = 100_000;
 

@@ -1,11 +1,13 @@
 //! Gains and totals agree with those of another family: Voronoi cells on a Delaunay triangulation.
 
+#[path = "oracles/delaunay/mod.rs"]
+mod delaunay;
 mod oracles;
 
 use std::f64::consts::{PI, TAU};
 
+use delaunay::Cells;
 use divbandit_core::Coverage;
-use oracles::delaunay::{self, Cells};
 use oracles::{Stream, fixed, scatter, union_area};
 use proptest::prelude::*;
 

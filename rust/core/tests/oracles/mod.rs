@@ -3,7 +3,6 @@
 
 #![allow(dead_code, reason = "each test takes the part that it needs")]
 
-pub mod delaunay;
 pub mod space;
 
 use proptest::test_runner::{Config, RngSeed};

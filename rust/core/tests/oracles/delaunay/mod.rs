@@ -16,6 +16,8 @@
 //! long one's. Both agree to first order where they meet: a rounded circumradius does no harm.
 //! That the constants cancel on paper matters: in clusters shares are 1e-16 and less.
 
+#![allow(dead_code, reason = "the bench takes less of it than the tests")]
+
 mod kept;
 mod quadtree;
 mod total;

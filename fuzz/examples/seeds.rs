@@ -134,7 +134,7 @@ fn seeds(dim: usize) -> Vec<(String, Vec<u8>)> {
         keep(&format!("circles-{name}"), seed.line(3, 60, 5, 100).polar(Op::Peek, 0, 1.0, 0.0, 3));
     }
     keep("crowd-scatters", {
-        let seed = begin(1.0, 0.5, 12).circle(0, 0.01, 0, 200, 0).circle(0, 0.5, 0, 200, 7);
+        let seed = begin(1.0, 0.5, 12).circle(0, 0.01, 0, 120, 0).circle(0, 0.5, 0, 120, 7);
         let seed = (0..12).fold(seed, |seed, i| seed.polar(Op::Polar, i, 0.5, 0.0, 20 * i));
         seed.circle(0, 1.0, 0, 100, 0)
     });

@@ -186,7 +186,7 @@ fn contributions<const D: usize>(
 ) {
     let (n, ball, measure) = (effects.len(), coverage.ball(), coverage.measure());
     let mut state = !sequence.key;
-    for index in (0..n.min(3)).map(|_| below(&mut state, n)).collect::<Vec<_>>() {
+    for index in (0..n.min(2)).map(|_| below(&mut state, n)).collect::<Vec<_>>() {
         let mut others = effects.to_vec();
         others.remove(index);
         let found = coverage.contribution(index).unwrap().gain;
@@ -211,7 +211,7 @@ fn submodular<const D: usize>(
         Step::Add(_) => None,
     });
     let middle = effects.get(effects.len() / 2).copied();
-    for probe in peeks.take(3).chain(middle) {
+    for probe in peeks.take(1).chain(middle) {
         let mut coverage = Coverage::new(sequence.tau, D).unwrap();
         let mut last = ball;
         for effect in effects {

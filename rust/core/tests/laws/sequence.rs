@@ -79,7 +79,7 @@ pub const JITTERS: [f64; 9] = [0.0, 1e-16, -2e-16, 1e-14, -1e-12, 1e-10, -1e-8, 
 const EXTREMES: [f64; 8] = [0.0, 1e-300, -1e-30, 1.0, 1e15, -1e16, 1e150, -1e300];
 
 /// The most effects that bytes are worth: more would make a run too slow to have many.
-pub const MOST: [usize; 4] = [0, 0, 600, 150];
+pub const MOST: [usize; 4] = [0, 0, 400, 80];
 
 struct Reader<'a, const D: usize> {
     bytes: std::slice::Iter<'a, u8>,

@@ -6,8 +6,9 @@ use super::sequence::{Sequence, decode};
 use super::{Passed, Tolerance, check, near};
 use crate::oracles::union_area;
 
+/// Over 2400 sequences that a fuzzer kept the worst were 1.4e-16, 1.1e-16 and 3e-17.
 const TOLERANCE: Tolerance =
-    Tolerance { order: 1e-13, contribution: 1e-13, submodular: 1e-13, same: 1e-13 };
+    Tolerance { order: 2e-15, contribution: 2e-15, submodular: 2e-15, same: 1e-13 };
 
 /// Up to so many radii from the origin other ways to the area are asked, which work there.
 const MODERATE: f64 = 1e4;
@@ -29,10 +30,10 @@ pub fn check_sequence(sequence: &Sequence<2>) {
     let (n, ball, measure) = (effects.len(), coverage.ball(), coverage.measure());
     let boundary = boundary(&coverage);
     // Both see places rounded as the effects' coordinates, in radii, are.
-    let rounding = 1e-14 * (1.0 + far);
-    near("the boundary's integral", boundary, measure, ball, n, 1e-13 + rounding);
+    let rounding = 2e-15 * (1.0 + far);
+    near("the boundary's integral", boundary, measure, ball, n, rounding);
     if n <= FEW {
-        near("the area by slabs", union_area(&effects, tau), measure, ball, n, 1e-12 + rounding);
+        near("the area by slabs", union_area(&effects, tau), measure, ball, n, 1e-13 + rounding);
     }
 }
 

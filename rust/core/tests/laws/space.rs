@@ -4,9 +4,10 @@ use super::sequence::{Sequence, decode};
 use super::{Passed, Tolerance, check, near};
 use crate::oracles::space::union_volume;
 
-/// Gains below 1e-13 of a ball count as none, which order decides.
+/// Gains below 1e-13 of a ball count as none, which order decides; the rest is rounding. Over 700
+/// sequences that a fuzzer kept the worst were 2e-14, 4e-16 and 7e-17.
 const TOLERANCE: Tolerance =
-    Tolerance { order: 2e-13, contribution: 2e-13, submodular: 2e-13, same: 0.0 };
+    Tolerance { order: 1.1e-13, contribution: 1.1e-13, submodular: 1.1e-13, same: 0.0 };
 
 /// The most effects whose volume is also found by slices, and how far from the origin.
 const FEW: usize = 4;
@@ -23,6 +24,6 @@ pub fn check_sequence(sequence: &Sequence<3>) {
     let n = effects.len();
     if n <= FEW && far <= MODERATE {
         let expected = union_volume(&effects, tau);
-        near("the volume by slices", expected, coverage.measure(), coverage.ball(), n, 1e-9);
+        near("the volume by slices", expected, coverage.measure(), coverage.ball(), n, 1e-11);
     }
 }

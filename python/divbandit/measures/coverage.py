@@ -30,8 +30,8 @@ class Coverage(_core.Coverage):
     the plane and in space it is exact: the length of a union of intervals, the area of one of
     discs (each gain right to some 1e-15 of a disc) and the volume of one of balls (to some 1e-13
     of a ball; a gain below that is 0). From dimension 4 on gains are estimated by randomised
-    quasi-Monte Carlo, each with a standard error. What a gain costs does not grow with the number
-    of effects nearby, but for estimates.
+    quasi-Monte Carlo, each with a standard error. Effects that lie in the union already, or have
+    since been surrounded, cost next to nothing on a line, in the plane and in space.
 
     Parameters
     ----------

@@ -64,6 +64,22 @@ fn for_square_grids() {
     }
 }
 
+/// On whole numbers, each disc through its neighbours' centres: some circles go exactly through
+/// the points where two others touch.
+#[test]
+fn for_turned_square_grids() {
+    for [a, b, c] in [[3.0, 4.0, 5.0], [5.0, 12.0, 13.0], [20.0, 21.0, 29.0]] {
+        let turn = |[x, y]: [f64; 2]| [(a * x - b * y) / c, (b * x + a * y) / c];
+        let grid = lattice(9, 9, [1.0, 1.0], 0.0);
+        check_orders(&format!("turned by {a}, {b}"), grid.iter().map(|&p| turn(p)).collect());
+        let mut exact: Vec<_> = grid.iter().map(|&p| turn(p).map(|x| (x * c).round())).collect();
+        for seed in 0..20 {
+            Stream(seed).shuffle(&mut exact);
+            check(&format!("turned by {a}, {b}, order {seed}"), &exact, c);
+        }
+    }
+}
+
 #[test]
 fn for_hexagonal_lattices() {
     // Just touching; without holes between; each through its neighbours' centres.

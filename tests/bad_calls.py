@@ -31,6 +31,9 @@ RAGGED_ROWS = without(ROWS, "too short", "too long")  # those are of another dim
 NONE = {"None": None}
 NOT_SPACES = WRONG_SPACES | NONE
 BATCH = POINTS | {"a bad row": [[0, 0], [math.nan, 0]], "a row beyond": [[0, 0], [2, 0]]}
+BAD_ROWS = {
+    name: rows(2)[name] for name in ("too short", "too long", "inf", "texts", "a bad second row")
+}
 SIZED = without(POINTS, "too short", "too long")
 CORNERS = without(points(1), "empty", "too short", "too long")
 POSITIVE = NUMBERS | {"zero": 0.0, "below zero": -0.1}
@@ -38,7 +41,11 @@ POSITIVE = NUMBERS | {"zero": 0.0, "below zero": -0.1}
 PLACES = without(NUMBERS, "an array") | {"three": [1.0, 1.0, 1.0], "rows": [[1.0, 1.0]]}
 EDGES = PLACES | {"zero": 0.0, "below zero": -0.1, "one is zero": [1.0, 0.0]}
 SHARE = NUMBERS | {"below zero": -1e-9, "above one": 1 + 1e-9}
+STRICT_SHARE = NUMBERS | {"zero": 0.0, "below zero": -0.1, "one": 1.0, "above one": 1.5}
 FROM_1 = COUNTS | {"zero": 0}
+# As an index -1 is the last; what is out of range is an IndexError, tested elsewhere.
+NOT_INDICES = without(COUNTS, "negative", "very negative") | {"None": None}
+NOT_FLAGS = {"1": 1, "0.0": 0.0, "None": None, "text": "yes", "a list": [True], "object": object()}
 HUGE = {"huge": 2**63, "very huge": 10**30}
 BEYOND = {"beyond": [0.0, 1.5]}
 FAR = {"far": [0.0, 1e301]}
@@ -113,8 +120,21 @@ TABLE = [
     ("History.inverse", "d", SHARE, lambda w, x: w.history.inverse([0, 0], w.rng, d=x)),
     ("Coverage", "tau", POSITIVE, lambda _, x: db.Coverage(x)),
     ("Coverage", "dim", FROM_1 | HUGE | {"33": 33}, lambda _, x: db.Coverage(1.0, dim=x)),
-    ("Coverage.add", "effect", POINTS, lambda w, x: w.coverage.add(x)),
-    ("Coverage.gain", "effect", POINTS, lambda w, x: w.coverage.gain(x)),
+    ("Coverage", "accuracy", STRICT_SHARE, lambda _, x: db.Coverage(1.0, accuracy=x)),
+    ("Coverage of 5", "accuracy", STRICT_SHARE, lambda _, x: db.Coverage(1.0, dim=5, accuracy=x)),
+    ("Coverage", "rng", NOT_SEEDS, lambda _, x: db.Coverage(1.0, rng=x)),
+    ("Coverage of 5", "rng", NOT_SEEDS, lambda _, x: db.Coverage(1.0, dim=5, rng=x)),
+    ("Coverage.add", "effect", BATCH, lambda w, x: w.coverage.add(x)),
+    ("Coverage.gain", "effect", POINTS | BAD_ROWS, lambda w, x: w.coverage.gain(x)),
+    ("Coverage.gain", "with_error", NOT_FLAGS, lambda w, x: w.coverage.gain([0, 0], with_error=x)),
+    ("Coverage.contribution", "index", NOT_INDICES, lambda w, x: w.coverage.contribution(x)),
+    (
+        "Coverage.contribution",
+        "with_error",
+        NOT_FLAGS,
+        lambda w, x: w.coverage.contribution(0, with_error=x),
+    ),
+    ("Coverage.contains", "points", POINTS | BAD_ROWS, lambda w, x: w.coverage.contains(x)),
     ("Coverage.extend", "effects", ROWS, lambda w, x: w.coverage.extend(x)),
     ("GridCoverage", "cell", EDGES, lambda _, x: Grid(x)),
     ("GridCoverage", "dim", FROM_1 | HUGE | NONE, lambda _, x: Grid(1.0, dim=x)),
@@ -140,6 +160,8 @@ TABLE = [
         without(ROWS, "too short", "too long"),
         lambda _, x: db.coverage(x, 1.0),
     ),
+    ("coverage", "accuracy", STRICT_SHARE, lambda _, x: db.coverage([[0] * 5], 1.0, accuracy=x)),
+    ("coverage", "rng", NOT_SEEDS, lambda _, x: db.coverage([[0.0, 0.0]], 1.0, rng=x)),
     ("coverage", "tau", POSITIVE, lambda _, x: db.coverage([[0.0, 0.0]], x)),
     ("Tree", "dim", FROM_1 | NONE | {"huge": 2**64}, lambda _, x: Tree(x)),
     ("Tree.add", "point", POINTS, lambda w, x: w.tree.add(x)),

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from tests.exploration.files import edited, npz, refused
+from tests.exploration.files import refused
+from tests.files import edited, npz
 
 
 def test_pickles_are_not_opened(tmp_path):

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from tests.exploration.files import npz, refused
+from tests.exploration.files import refused
+from tests.files import npz, outcome
 
 
 @pytest.mark.parametrize("share", [0, 0.001, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 0.999])
@@ -25,34 +26,25 @@ def test_random_bytes(length, magic, tmp_path):
     refused(tmp_path / "run", magic + np.random.default_rng(length).bytes(length))
 
 
-def outcome(path, content, intact):
-    """Return what comes of loading `content`: refused, harmless, or what must not happen."""
-    path.write_bytes(content)
-    try:
-        run = db.Exploration.load(path)
-    except ValueError as error:
-        return "refused" if str(path) in str(error) else f"unnamed: {error}"
-    except Exception as error:  # noqa: BLE001 - whatever it is, it is reported
-        return repr(error)
-    same = all(
-        np.array_equal(getattr(run, name), getattr(intact, name))
-        for name in ("commands", "effects", "paths", "diversities")
-    )
-    return "harmless" if same else "changed"
-
-
 @pytest.mark.parametrize("flipped", [0xFF, 0x01, 0x04, 0x06, 0x10])
 def test_damaged_bytes_are_refused_or_harmless(flipped, saved, tmp_path):
     """Bytes flipped one at a time: each of the directory at the end, and some before it."""
     path = tmp_path / "run"
     path.write_bytes(saved)
     intact = db.Exploration.load(path)
+
+    def is_same(run):
+        return all(
+            np.array_equal(getattr(run, name), getattr(intact, name))
+            for name in ("commands", "effects", "paths", "diversities")
+        )
+
     directory = saved.index(b"PK\x01\x02")
     outcomes = {}
     for position in [*range(0, directory, 11), *range(directory, len(saved))]:
         damaged = bytearray(saved)
         damaged[position] ^= flipped
-        outcomes.setdefault(outcome(path, damaged, intact), position)
+        outcomes.setdefault(outcome(db.Exploration.load, path, damaged, is_same), position)
     assert set(outcomes) <= {"refused", "harmless"}, outcomes
 
 

@@ -214,3 +214,14 @@ def test_a_copy_goes_its_own_way(duplicate, dim):
     gain = other.add([0.75] * dim)
     assert (len(cov), cov.measure) == (2, measure)
     assert cov.add([0.75] * dim) == gain
+
+
+@every
+@pytest.mark.parametrize("index", [3, -4, 2**63, -(2**63), 10**30, -(10**30)])
+def test_no_such_effect_is_an_index_error(dim, index):
+    cov = covering([[x] * 5 for x in range(3)], 1.0, dim)
+    with pytest.raises(IndexError, match=rf"index must be that of one of 3 effects, got {index}$"):
+        cov.contribution(index)
+    assert cov.contribution(np.int8(-3)) == cov.contribution(0)
+    with pytest.raises(IndexError, match="one of 0 effects"):
+        empty(1.0, dim).contribution(0)

@@ -140,6 +140,17 @@ pub(crate) fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
     })
 }
 
+/// Reads a flag: True or False and nothing else that is true or false.
+pub(crate) fn flag(name: &str, value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    match value.cast::<PyBool>() {
+        Ok(flag) => Ok(flag.is_true()),
+        Err(_) => {
+            let got = kind(value);
+            Err(PyTypeError::new_err(format!("{name} must be True or False, got {got}")))
+        }
+    }
+}
+
 /// Reads a count: what Python or NumPy registers as a whole number, except booleans, from 0 on.
 pub(crate) fn count(name: &str, value: &Bound<'_, PyAny>) -> PyResult<usize> {
     static INTEGRAL: PyOnceLock<Py<PyType>> = PyOnceLock::new();

@@ -3,11 +3,11 @@
 use divbandit_core::coverage::{BoundaryArc, Coverage, Estimated, Sampling};
 use divbandit_core::error::check_finite;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyIndexError;
+use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
 
-use crate::arrays::{Floats, count, number, read_only};
+use crate::arrays::{Floats, count, flag, number, read_only};
 use crate::errors::value_error;
 
 /// The union of balls that `divbandit.Coverage` is made of.
@@ -194,14 +194,13 @@ impl PyCoverage {
     /// >>> _ = cov.add([0, 0])
     /// >>> cov.gain([[0, 0], [2, 0]])
     /// array([0.        , 3.14159265])
-    #[pyo3(signature = (effect, *, with_error=None), text_signature = "($self, effect, *, with_error=False)")]
+    #[pyo3(signature = (effect, *, with_error=false))]
     fn gain<'py>(
         &mut self,
         py: Python<'py>,
         effect: &Bound<'py, PyAny>,
-        with_error: Option<&Bound<'py, PyBool>>,
+        #[pyo3(from_py_with = with_error)] with_error: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let with_error = with_error.is_some_and(PyBoolMethods::is_true);
         let points = Floats::either("effect", effect, self.0.dim())?;
         if !points.is_batch() {
             let found = self.0.estimate(points.slice()?).map_err(value_error)?;
@@ -261,12 +260,12 @@ impl PyCoverage {
     /// array([2. , 1. , 0.5])
     /// >>> cov.contribution(0), cov.contribution(1), cov.contribution(-1)
     /// (1.0, 0.0, 0.5)
-    #[pyo3(signature = (index, *, with_error=None), text_signature = "($self, index, *, with_error=False)")]
+    #[pyo3(signature = (index, *, with_error=false))]
     fn contribution<'py>(
         &mut self,
         py: Python<'py>,
         index: &Bound<'py, PyAny>,
-        with_error: Option<&Bound<'py, PyBool>>,
+        #[pyo3(from_py_with = with_error)] with_error: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
         let place = match place("index", index, self.0.len())? {
             Some(place) => place,
@@ -278,7 +277,7 @@ impl PyCoverage {
             }
         };
         let found = py.detach(|| self.0.contribution(place)).map_err(value_error)?;
-        one(py, found, with_error.is_some_and(PyBoolMethods::is_true))
+        one(py, found, with_error)
     }
 
     /// Whether points lie in the union: no farther than tau from some effect.
@@ -310,7 +309,9 @@ impl PyCoverage {
     ) -> PyResult<Bound<'py, PyAny>> {
         let borrowed = Floats::either("points", points, self.0.dim())?;
         if !borrowed.is_batch() {
-            let inside = self.0.contains(borrowed.slice()?).map_err(value_error)?;
+            let point = borrowed.slice()?;
+            check_finite("points", point, self.0.dim()).map_err(value_error)?;
+            let inside = self.0.contains(point).map_err(value_error)?;
             return Ok(PyBool::new(py, inside).to_owned().into_any());
         }
         let points = self.points("points", points)?;
@@ -378,6 +379,11 @@ impl PyCoverage {
     }
 }
 
+/// Reads the argument of this name.
+fn with_error(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    flag("with_error", value)
+}
+
 /// A gain alone, or with its standard error.
 fn one(py: Python<'_>, found: Estimated, with_error: bool) -> PyResult<Bound<'_, PyAny>> {
     if with_error {
@@ -386,11 +392,16 @@ fn one(py: Python<'_>, found: Estimated, with_error: bool) -> PyResult<Bound<'_,
     Ok(found.gain.into_pyobject(py)?.into_any())
 }
 
-/// The place that an index into `len` things means, from the end if negative.
+/// The place that an index into `len` things means, from the end if negative; None if there is
+/// no such place.
 fn place(name: &str, index: &Bound<'_, PyAny>, len: usize) -> PyResult<Option<usize>> {
-    if index.lt(0).unwrap_or(false) {
-        let from_end = count(name, &index.neg()?)?;
-        return Ok(len.checked_sub(from_end));
+    let negative = index.lt(0).unwrap_or(false);
+    let from = if negative { count(name, &index.neg()?) } else { count(name, index) };
+    match from {
+        Ok(from_end) if negative => Ok(len.checked_sub(from_end)),
+        Ok(place) => Ok(Some(place).filter(|&place| place < len)),
+        // Whole, but more than any place.
+        Err(error) if error.is_instance_of::<PyValueError>(index.py()) => Ok(None),
+        Err(error) => Err(error),
     }
-    Ok(Some(count(name, index)?).filter(|&place| place < len))
 }

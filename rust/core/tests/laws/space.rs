@@ -9,6 +9,10 @@ use crate::oracles::space::union_volume;
 const TOLERANCE: Tolerance =
     Tolerance { order: 1.1e-13, contribution: 1.1e-13, submodular: 1.1e-13, same: 0.0 };
 
+/// How far slices may be off, in balls: 8e-11 was seen where two balls all but touch, and there
+/// the lens's closed form agrees with the kernel to 1e-15.
+const SLICES: f64 = 1e-9;
+
 /// The most effects whose volume is also found by slices, and how far from the origin.
 const FEW: usize = 4;
 const MODERATE: f64 = 100.0;
@@ -24,6 +28,6 @@ pub fn check_sequence(sequence: &Sequence<3>) {
     let n = effects.len();
     if n <= FEW && far <= MODERATE {
         let expected = union_volume(&effects, tau);
-        near("the volume by slices", expected, coverage.measure(), coverage.ball(), n, 1e-11);
+        near("the volume by slices", expected, coverage.measure(), coverage.ball(), n, SLICES);
     }
 }

@@ -89,7 +89,7 @@ impl Discs {
         let gain = self.surveyed_gain();
         let area = self.surveyed_area();
         if self.is_noise(area) {
-            self.owed += area - gain;
+            self.owed = (self.owed + area).min(0.0);
         }
         if self.survey.changes_boundary() {
             self.commit(effect);

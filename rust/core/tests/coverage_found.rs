@@ -2,8 +2,6 @@
 
 mod oracles;
 
-use std::f64::consts::PI;
-
 use divbandit_core::Coverage;
 use oracles::{Stream, union_area};
 
@@ -77,19 +75,6 @@ fn a_disc_without_boundary_once_more_gains_nothing() {
             assert_eq!(coverage.add(effect).unwrap(), 0.0, "{effect:?}");
         }
         assert_eq!(coverage.boundary_integral(), boundary);
-    }
-}
-
-#[test]
-fn among_tiny_gains_an_effect_gains_once() {
-    // On the hull of a crowd 1e-8 wide each gain is rounding in size, and what rounding makes
-    // negative is taken from the next: not from what is no gain at all.
-    let mut coverage = Coverage::new(1.0, 2).unwrap();
-    for i in 0..400 {
-        let (sine, cosine) = (f64::from(i % 360) * PI / 180.0).sin_cos();
-        let effect = [1e-8 * cosine, 1e-8 * sine];
-        coverage.add(effect).unwrap();
-        assert_eq!(coverage.gain(effect).unwrap(), 0.0, "{i}");
     }
 }
 

@@ -2,13 +2,23 @@
 
 from typing import TYPE_CHECKING
 
+from divbandit.measures.boundary import Loop, to_shapely
 from divbandit.measures.coverage import Coverage, coverage
 from divbandit.measures.entropy import Entropy
 from divbandit.measures.grid import GridCoverage
 from divbandit.measures.protocol import Measure
 from divbandit.measures.sparseness import Sparseness
 
-__all__ = ["Coverage", "Entropy", "GridCoverage", "Measure", "Sparseness", "coverage"]
+__all__ = [
+    "Coverage",
+    "Entropy",
+    "GridCoverage",
+    "Loop",
+    "Measure",
+    "Sparseness",
+    "coverage",
+    "to_shapely",
+]
 
 if TYPE_CHECKING:  # what mypy is to hold to the protocol
     _MEASURES: tuple[type[Measure], ...] = (Coverage, Entropy, GridCoverage, Sparseness)

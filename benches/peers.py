@@ -16,13 +16,13 @@ from pathlib import Path
 
 import numpy as np
 import shapely
-import voronotalt
 from scipy.spatial import cKDTree
 
 import divbandit as db
 
 sys.path.append(str(Path(__file__).parents[1]))
 from tests.reference.slices import sliced_volume
+from tests.reference.tessellation import tessellated_volume
 from tests.reference.union_area import union_area
 
 TAU = 0.02
@@ -237,11 +237,7 @@ def union_of_balls(n):
     distances = np.linalg.norm(cube[:, None] - cube, axis=-1)
     neighbours = np.count_nonzero(distances < 2) / block - 1
 
-    def voronotalt_cells():
-        balls = [voronotalt.Ball(x, y, z, 1.0) for x, y, z in centres.tolist()]
-        return math.fsum(cell.volume for cell in voronotalt.RadicalTessellation(balls, 0.0).cells)
-
-    theirs, expected = fastest(voronotalt_cells, repeat=3)
+    theirs, expected = fastest(lambda: tessellated_volume(centres, 1.0), repeat=3)
     ours, found = fastest(lambda: db.coverage(centres, 1.0), repeat=3)
     errors = against(copies * sliced_volume(cube, 1.0), expected, found)
     work = f"volume of a union of {n} balls, {neighbours:.0f} neighbours each"

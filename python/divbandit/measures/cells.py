@@ -1,4 +1,4 @@
-"""Cells: a grid of equal boxes, and in which of them an effect lies."""
+"""Cells: a grid of equal boxes, in which of them an effect lies, and what such measures share."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from divbandit._checks import real
 from divbandit._core import as_point
+from divbandit.measures.base import Incremental
 from divbandit.measures.points import element
 
 if TYPE_CHECKING:
@@ -67,6 +68,27 @@ class Cells:
                 where = element(name, row, column)
                 return f"{where} must be within 1.7e308 cells of {low}, got {x} with cell {edge}"
         raise AssertionError("unreachable: every quotient is finite")
+
+
+class Gridded(Incremental["Cell"]):
+    """A measure to which all effects in one cell are the same."""
+
+    def __init__(self, cell: ArrayLike, *, dim: int, origin: ArrayLike) -> None:
+        super().__init__(dim)
+        self._cells = Cells(cell, origin, dim=self.dim)
+
+    @property
+    def cell(self) -> tuple[float, ...]:
+        """Edges of a cell, one a coordinate, in the units of the effects."""
+        return self._cells.edges
+
+    @property
+    def origin(self) -> tuple[float, ...]:
+        """A corner of the grid."""
+        return self._cells.origin
+
+    def _place(self, name: str, row: int | None, effect: NDArray[np.float64]) -> Cell:
+        return self._cells.of(name, row, effect)
 
 
 def _one_a_coordinate(name: str, value: ArrayLike, dim: int) -> tuple[float, ...]:

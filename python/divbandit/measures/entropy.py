@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from divbandit.measures.base import Incremental
-from divbandit.measures.cells import Cells
+from divbandit.measures.cells import Gridded
 from divbandit.measures.logarithm import PLACES, fixed_log
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from divbandit.measures.cells import Cell
 
 
-class Entropy(Incremental["Cell"]):
+class Entropy(Gridded):
     """The Shannon entropy, in nats, of the histogram of effects over a grid's cells.
 
     Delarboulas, Schoenauer and Sebag (2010, "Open-Ended Evolutionary Robotics: An Information
@@ -58,23 +56,12 @@ class Entropy(Incremental["Cell"]):
     """
 
     def __init__(self, cell: ArrayLike, *, dim: int = 2, origin: ArrayLike = 0.0) -> None:
-        super().__init__(dim)
-        self._cells = Cells(cell, origin, dim=self.dim)
+        super().__init__(cell, dim=dim, origin=origin)
         self._counts: dict[Cell, int] = {}
         # The sum of c log c over the counts c, in units of 2**-64: a whole number, so that it
         # never drifts, and does not depend on the order of the effects.
         self._sum = 0
         self._measure = 0.0
-
-    @property
-    def cell(self) -> tuple[float, ...]:
-        """Edges of a cell, one a coordinate, in the units of the effects."""
-        return self._cells.edges
-
-    @property
-    def origin(self) -> tuple[float, ...]:
-        """A corner of the grid."""
-        return self._cells.origin
 
     @property
     def measure(self) -> float:
@@ -89,9 +76,6 @@ class Entropy(Incremental["Cell"]):
         against the rest, which is greatest for n = 1.
         """
         return fixed_log(2) / (1 << PLACES)
-
-    def _place(self, name: str, row: int | None, effect: NDArray[np.float64]) -> Cell:
-        return self._cells.of(name, row, effect)
 
     def _with(self, place: Cell) -> tuple[int, float]:
         """Return the sum and the entropy that one more effect leads to.

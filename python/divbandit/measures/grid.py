@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from divbandit.measures.base import Incremental
-from divbandit.measures.cells import Cells
+from divbandit.measures.cells import Gridded
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from divbandit.measures.cells import Cell
 
 
-class GridCoverage(Incremental["Cell"]):
+class GridCoverage(Gridded):
     """The number of cells of a grid in which effects lie.
 
     The coverage that the literature on quality diversity reports: the behaviour space is divided
@@ -55,19 +53,8 @@ class GridCoverage(Incremental["Cell"]):
     """
 
     def __init__(self, cell: ArrayLike, *, dim: int = 2, origin: ArrayLike = 0.0) -> None:
-        super().__init__(dim)
-        self._cells = Cells(cell, origin, dim=self.dim)
+        super().__init__(cell, dim=dim, origin=origin)
         self._occupied: set[Cell] = set()
-
-    @property
-    def cell(self) -> tuple[float, ...]:
-        """Edges of a cell, one a coordinate, in the units of the effects."""
-        return self._cells.edges
-
-    @property
-    def origin(self) -> tuple[float, ...]:
-        """A corner of the grid."""
-        return self._cells.origin
 
     @property
     def measure(self) -> float:
@@ -78,9 +65,6 @@ class GridCoverage(Incremental["Cell"]):
     def largest_gain(self) -> float:
         """The gain of an effect in a new cell: 1."""
         return 1.0
-
-    def _place(self, name: str, row: int | None, effect: NDArray[np.float64]) -> Cell:
-        return self._cells.of(name, row, effect)
 
     def _gain(self, place: Cell) -> float:
         return 0.0 if place in self._occupied else 1.0

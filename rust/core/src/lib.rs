@@ -26,6 +26,7 @@
 #![deny(missing_docs)]
 
 pub mod arm;
+pub mod bandits;
 pub mod bounds;
 pub mod coverage;
 pub mod error;

@@ -4,6 +4,7 @@
 #![allow(dead_code, reason = "each test takes the part that it needs")]
 
 pub mod space;
+pub mod sums;
 
 use proptest::test_runner::{Config, RngSeed};
 

@@ -1,0 +1,5 @@
+//! What a bandit believes of its strategies: the mean of the gains that each made lately.
+
+mod exact_sum;
+
+pub use exact_sum::ExactSum;

@@ -4,6 +4,7 @@
 //! one angle a joint, in radians, each relative to the segment before; with all of them 0
 //! the arm lies along +x. The effect is the tip's position.
 
+use crate::environment::Environment;
 use crate::error::{Error, check_finite, check_length, check_rows, place};
 use crate::trig::{MAX_ANGLE, sin_cos};
 
@@ -158,6 +159,21 @@ impl PlanarArm {
             must_be: format!("within the joint's limit of +-{:?} radians", self.limit),
             got: angles[index],
         })
+    }
+}
+
+impl Environment for PlanarArm {
+    fn motor_dim(&self) -> usize {
+        self.joints
+    }
+
+    fn effect_dim(&self) -> usize {
+        2
+    }
+
+    fn effect_into(&self, command: &[f64], effect: &mut [f64]) -> Result<(), Error> {
+        effect.copy_from_slice(&self.effect(command)?);
+        Ok(())
     }
 }
 

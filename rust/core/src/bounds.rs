@@ -9,6 +9,13 @@ use crate::error::{Error, check_finite, check_length};
 pub trait UniformStream {
     /// The next number.
     fn next(&mut self) -> f64;
+
+    /// The next numbers, in order.
+    fn fill(&mut self, numbers: &mut [f64]) {
+        for number in numbers {
+            *number = self.next();
+        }
+    }
 }
 
 impl<F: FnMut() -> f64> UniformStream for F {
@@ -89,8 +96,22 @@ impl Bounds {
     }
 
     /// A point uniform in the box: one draw a coordinate, in order.
-    pub fn sample(&self, stream: &mut impl UniformStream) -> Vec<f64> {
-        self.low.iter().zip(&self.high).map(|(&low, &high)| between(low, high, stream)).collect()
+    pub fn sample(&self, stream: &mut (impl UniformStream + ?Sized)) -> Vec<f64> {
+        let mut point = vec![0.0; self.dim()];
+        self.sample_into(&mut point, stream);
+        point
+    }
+
+    /// Writes what [`sample`](Self::sample) returns; `point` has the right length.
+    pub(crate) fn sample_into(
+        &self,
+        point: &mut [f64],
+        stream: &mut (impl UniformStream + ?Sized),
+    ) {
+        stream.fill(point);
+        for (x, (&low, &high)) in point.iter_mut().zip(self.low.iter().zip(&self.high)) {
+            *x = between(low, high, *x);
+        }
     }
 
     /// Perturb_d, the paper's exploration around a known command.
@@ -104,24 +125,43 @@ impl Bounds {
         &self,
         parent: &[f64],
         d: f64,
-        stream: &mut impl UniformStream,
+        stream: &mut (impl UniformStream + ?Sized),
     ) -> Result<Vec<f64>, Error> {
-        if !(0.0..=1.0).contains(&d) {
-            return Err(Error::Number { name: "d", must_be: "in [0, 1]", got: d });
-        }
+        check_share("d", d)?;
         self.check("parent", parent)?;
+        let mut command = vec![0.0; self.dim()];
+        self.perturb_into(&mut command, parent, d, stream);
+        Ok(command)
+    }
+
+    /// Writes what [`perturb`](Self::perturb) returns, for what is known to be right.
+    pub(crate) fn perturb_into(
+        &self,
+        command: &mut [f64],
+        parent: &[f64],
+        d: f64,
+        stream: &mut (impl UniformStream + ?Sized),
+    ) {
+        stream.fill(command);
         let ranges = self.low.iter().zip(&self.high);
-        let perturbed = parent.iter().zip(ranges).map(|(&x, (&low, &high))| {
+        for ((x, &around), (&low, &high)) in command.iter_mut().zip(parent).zip(ranges) {
             let reach = d * (high - low);
-            between((x - reach).max(low), (x + reach).min(high), stream)
-        });
-        Ok(perturbed.collect())
+            *x = between((around - reach).max(low), (around + reach).min(high), *x);
+        }
     }
 }
 
-/// A number uniform in [`low`, `high`], from one draw.
-#[inline]
-fn between(low: f64, high: f64, stream: &mut impl UniformStream) -> f64 {
+/// Checks that a perturbation is a share of the motor range.
+pub(crate) fn check_share(name: &'static str, d: f64) -> Result<(), Error> {
+    if (0.0..=1.0).contains(&d) {
+        return Ok(());
+    }
+    Err(Error::Number { name, must_be: "in [0, 1]", got: d })
+}
+
+/// The number in [`low`, `high`] that a draw `u` from [0, 1) stands for.
+#[inline(always)]
+fn between(low: f64, high: f64, u: f64) -> f64 {
     // Rounding may carry the sum one unit beyond `high`.
-    (low + (high - low) * stream.next()).min(high)
+    (low + (high - low) * u).min(high)
 }

@@ -19,7 +19,7 @@ pub fn inverse(
     effects: &NearestNeighbors,
     commands: &[f64],
     motor_space: &Bounds,
-    stream: &mut impl UniformStream,
+    stream: &mut (impl UniformStream + ?Sized),
 ) -> Result<Vec<f64>, Error> {
     check_length("goal", goal, effects.dim())?;
     check_finite("goal", goal, goal.len())?;

@@ -29,15 +29,22 @@ pub mod arm;
 pub mod bandits;
 pub mod bounds;
 pub mod coverage;
+pub mod environment;
 pub mod error;
+pub mod exploration;
+pub mod history;
 pub mod inverse;
 pub mod kdtree;
+pub mod strategies;
 
 pub mod trig;
 
 pub use arm::PlanarArm;
 pub use bounds::{Bounds, UniformStream};
 pub use coverage::Coverage;
+pub use environment::Environment;
 pub use error::Error;
+pub use exploration::{Composition, Exploration};
+pub use history::History;
 pub use inverse::inverse;
 pub use kdtree::NearestNeighbors;

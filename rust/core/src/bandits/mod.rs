@@ -1,7 +1,10 @@
-//! What a bandit believes of its strategies: the mean of the gains that each made lately.
+//! Bandits, as the engine runs them: composites that choose by the gains that their parts made
+//! lately.
 
+mod adapt;
 mod exact_sum;
 mod window;
 
+pub use adapt::Adapt;
 pub use exact_sum::ExactSum;
 pub use window::GainWindow;

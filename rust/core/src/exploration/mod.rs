@@ -1,0 +1,194 @@
+//! Exploration: the engine, the whole loop - propose, try, observe - for built-in parts.
+//!
+//! It does what the loop in Python does, draw for draw and bit for bit: that one is the
+//! specification, and tests hold this one equal to it.
+
+mod composition;
+mod gains;
+mod paths;
+
+use crate::bounds::UniformStream;
+use crate::environment::Environment;
+use crate::error::{Error, check_length};
+use crate::history::{History, reserve};
+pub use composition::Composition;
+use composition::Part;
+use gains::Gains;
+use paths::{Paths, ROOT};
+
+/// An exploration under way.
+#[derive(Debug)]
+pub struct Exploration {
+    environment: Box<dyn Environment>,
+    parts: Vec<Part>,
+    /// For each part, where its gains come from.
+    measures: Vec<Option<usize>>,
+    history: History,
+    gains: Gains,
+    paths: Paths,
+    /// The path of each step, by its end.
+    ends: Vec<u32>,
+    /// What the outermost strategy believed when it chose, step by step, if it is a bandit.
+    diversities: Vec<f64>,
+    command: Vec<f64>,
+    effect: Vec<f64>,
+}
+
+/// What is left of an exploration: arrays, row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Log {
+    /// The motor commands; empty if they were not kept.
+    pub commands: Vec<f64>,
+    /// The effects.
+    pub effects: Vec<f64>,
+    /// Who chose each command: indices of strategies, outermost first, -1 beyond the innermost.
+    pub paths: Vec<i64>,
+    /// The length of a row of `paths`.
+    pub depth: usize,
+    /// What the outermost strategy believed of each of its parts when it chose; empty if it is no
+    /// bandit.
+    pub diversities: Vec<f64>,
+}
+
+impl Exploration {
+    /// Of `environment`, with the part `root` of `strategies`. The history is empty.
+    ///
+    /// # Errors
+    /// If the environment does not lead from the motor space to the effects of the history, a
+    /// strategy cannot explore it, or there is no part `root`.
+    pub fn new(
+        environment: Box<dyn Environment>,
+        history: History,
+        strategies: Composition,
+        root: usize,
+    ) -> Result<Self, Error> {
+        strategies.check(root)?;
+        let command = vec![0.0; environment.motor_dim()];
+        let effect = vec![0.0; environment.effect_dim()];
+        check_length("motor_space", history.motor_space().low(), command.len())?;
+        check_length("effect", &effect, history.effect_dim())?;
+        let parts = strategies.parts;
+        let mut gains = Gains::default();
+        let mut measures = Vec::with_capacity(parts.len());
+        for part in &parts {
+            measures.push(match part {
+                Part::Composite(composite, _) => {
+                    composite.measure().map(|by| gains.of(by, effect.len())).transpose()?
+                }
+                Part::Strategy(strategy) => {
+                    strategy.check(&history)?;
+                    None
+                }
+            });
+        }
+        let paths = Paths::new(root);
+        let (ends, diversities) = (Vec::new(), Vec::new());
+        Ok(Self {
+            environment,
+            parts,
+            measures,
+            history,
+            gains,
+            paths,
+            ends,
+            diversities,
+            command,
+            effect,
+        })
+    }
+
+    /// Makes room for the log of so many more steps.
+    ///
+    /// # Errors
+    /// If there is no memory for it.
+    pub fn reserve(&mut self, n: usize) -> Result<(), Error> {
+        let beliefs = self.beliefs().map_or(0, <[f64]>::len);
+        self.history.reserve(n)?;
+        reserve(&mut self.ends, n, 1)?;
+        reserve(&mut self.diversities, n, beliefs)
+    }
+
+    /// Makes so many more steps; all randomness comes from `draws`.
+    ///
+    /// # Errors
+    /// If the environment refuses a command; the steps before are made then.
+    pub fn run(&mut self, n: usize, draws: &mut dyn UniformStream) -> Result<(), Error> {
+        (0..n).try_for_each(|_| self.step(draws))
+    }
+
+    /// How many steps have been made.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.history.len()
+    }
+
+    /// Whether none has.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.history.is_empty()
+    }
+
+    fn step(&mut self, draws: &mut dyn UniformStream) -> Result<(), Error> {
+        let proposer = self.propose(draws)?;
+        self.environment.effect_into(&self.command, &mut self.effect)?;
+        if let Part::Composite(outermost, _) = &self.parts[self.paths.part(ROOT)]
+            && let Some(diversities) = outermost.diversities()
+        {
+            self.diversities.extend_from_slice(diversities);
+        }
+        self.history.record(&self.command, &self.effect);
+        self.ends.push(proposer);
+        self.observe(proposer)
+    }
+
+    /// Lets the strategies choose down to the one that writes the command; returns its node.
+    fn propose(&mut self, draws: &mut dyn UniformStream) -> Result<u32, Error> {
+        let mut node = ROOT;
+        loop {
+            match &mut self.parts[self.paths.part(node)] {
+                Part::Composite(composite, parts) => {
+                    let index = composite.choose(draws);
+                    node = self.paths.child(node, index, parts);
+                }
+                Part::Strategy(strategy) => {
+                    strategy.propose(&mut self.history, draws, &mut self.command)?;
+                    return Ok(node);
+                }
+            }
+        }
+    }
+
+    /// Tells those who had a part in proposing the newest effect what it has gained.
+    fn observe(&mut self, mut node: u32) -> Result<(), Error> {
+        while let Some((parent, index)) = self.paths.parent(node) {
+            let part = self.paths.part(parent);
+            if let (Some(place), Part::Composite(composite, _)) =
+                (self.measures[part], &mut self.parts[part])
+            {
+                composite.credit(index, self.gains.newest(place, &self.history)?);
+            }
+            node = parent;
+        }
+        Ok(())
+    }
+
+    /// What the outermost strategy believes, if it is a bandit.
+    fn beliefs(&self) -> Option<&[f64]> {
+        match &self.parts[self.paths.part(ROOT)] {
+            Part::Composite(composite, _) => composite.diversities(),
+            Part::Strategy(_) => None,
+        }
+    }
+
+    /// What is left of it.
+    #[must_use]
+    pub fn into_log(self) -> Log {
+        let depth = self.paths.depth();
+        let mut paths = vec![0; self.ends.len() * depth];
+        for (&end, row) in self.ends.iter().zip(paths.chunks_exact_mut(depth.max(1))) {
+            self.paths.write(end, row);
+        }
+        let (commands, effects) = self.history.into_log();
+        Log { commands, effects, paths, depth, diversities: self.diversities }
+    }
+}

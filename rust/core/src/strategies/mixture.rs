@@ -1,0 +1,67 @@
+//! Mixture: strategies chosen with fixed probabilities.
+
+use super::Composite;
+use crate::bounds::UniformStream;
+use crate::error::{Error, check_finite};
+
+/// Part j with a probability proportional to its weight, always: one draw.
+#[derive(Debug, Clone)]
+pub struct Mixture {
+    weights: Vec<f64>,
+}
+
+impl Mixture {
+    /// Of parts with these weights.
+    ///
+    /// # Errors
+    /// If there is none, or one is negative or not finite.
+    pub fn new(weights: Vec<f64>) -> Result<Self, Error> {
+        if weights.is_empty() {
+            return Err(Error::Empty { name: "weights" });
+        }
+        check_finite("weights", &weights, weights.len())?;
+        match weights.iter().position(|&weight| weight < 0.0) {
+            None => Ok(Self { weights }),
+            Some(index) => Err(Error::Element {
+                name: "weights",
+                at: format!("[{index}]"),
+                must_be: "not negative".to_owned(),
+                got: weights[index],
+            }),
+        }
+    }
+}
+
+impl Composite for Mixture {
+    fn parts(&self) -> usize {
+        self.weights.len()
+    }
+
+    fn choose(&mut self, draws: &mut dyn UniformStream) -> usize {
+        proportionally(self.weights.iter().copied(), draws.next())
+    }
+}
+
+/// An index with probability proportional to its weight; uniformly if all are 0. `u` is uniform
+/// in [0, 1).
+pub(crate) fn proportionally(weights: impl ExactSizeIterator<Item = f64> + Clone, u: f64) -> usize {
+    let mut total = 0.0;
+    for weight in weights.clone() {
+        total += weight;
+    }
+    if total <= 0.0 {
+        return (u * weights.len() as f64) as usize;
+    }
+    let mut left = u * total;
+    let mut last = 0;
+    for (index, weight) in weights.enumerate() {
+        if left < weight {
+            return index;
+        }
+        left -= weight;
+        if weight > 0.0 {
+            last = index;
+        }
+    }
+    last // rounding carried u past the end
+}

@@ -9,7 +9,15 @@ import pytest
 import divbandit as db
 from divbandit import _core
 
-CORE = ("Bounds", "Coverage", "NearestNeighbors", "PlanarArm", "as_point", "inverse")
+CORE = (
+    "Bounds",
+    "Coverage",
+    "Engine",
+    "NearestNeighbors",
+    "PlanarArm",
+    "as_point",
+    "inverse",
+)
 
 
 def members(name, item):

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.random import Generator, SeedSequence
 
     Rng = Generator | SeedSequence | int | None
@@ -38,6 +40,23 @@ def whole(name: str, value: object, *, low: int, high: int | None = None) -> int
         bounds = f"at least {low}" if high is None else f"from {low} to {high}"
         raise ValueError(f"{name} must be {bounds}, got {number}")
     return number
+
+
+def truth(name: str, value: object) -> bool:
+    """Return `value` if it is True or False, or say what is wrong with it."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} must be True or False, got {type(value).__name__}")
+    return bool(value)
+
+
+def one_of(name: str, value: object, names: Sequence[str]) -> str:
+    """Return `value` if it is one of these names, or say what is wrong with it."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a name, got {type(value).__name__}")
+    if value not in names:
+        known = ", ".join(map(repr, names))
+        raise ValueError(f"{name} must be one of {known}, got {value!r}")
+    return value
 
 
 def generator(rng: Rng) -> Generator:

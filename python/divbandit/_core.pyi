@@ -1,5 +1,6 @@
 # The compiled kernels; `import divbandit` brings all that is public.
 
+from collections.abc import Callable, Sequence
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -10,6 +11,7 @@ from typing_extensions import Self, disjoint_base, final
 __all__ = [
     "Bounds",
     "Coverage",
+    "Engine",
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
@@ -100,6 +102,33 @@ class Coverage:
     def _restore(
         self, effects: ArrayLike, gains: ArrayLike, standard_errors: ArrayLike
     ) -> None: ...
+
+@final
+class Engine:
+    def __new__(cls, motor_space: Bounds, sensory_space: Bounds | None) -> Self: ...
+    def planar_arm(self, arm: PlanarArm) -> tuple[int, int]: ...
+    def motor_babbling(self) -> int: ...
+    def goal_babbling(self, d: float, goals: Bounds | None) -> int: ...
+    def mixture(self, parts: Sequence[int], weights: Sequence[float]) -> int: ...
+    def schedule(
+        self, parts: Sequence[int], steps: Sequence[int], phase: int, proposed: int
+    ) -> int: ...
+    def adapt(
+        self, parts: Sequence[int], measure: Coverage, window: int, alpha: float, head_start: int
+    ) -> int: ...
+    def explore(
+        self,
+        strategy: int,
+        n: int,
+        rng: Generator,
+        keep_commands: bool,
+        between: Callable[[], object] | None,
+    ) -> tuple[
+        NDArray[np.float64] | None,
+        NDArray[np.float64],
+        NDArray[np.int64],
+        NDArray[np.float64] | None,
+    ]: ...
 
 def inverse(
     goal: ArrayLike,

@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING, Any, cast
 
 from divbandit._checks import real, whole
+from divbandit._engine import NotBuiltInError
 from divbandit.bandits.window import GainWindow
 from divbandit.measures import Coverage
 from divbandit.measures.template import copy_of, covering
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.random import Generator
     from numpy.typing import NDArray
 
+    from divbandit._engine import Description
     from divbandit.box import Box
     from divbandit.history import History
     from divbandit.measures import Measure
@@ -198,6 +200,13 @@ class Adapt(Composite):
         if not math.isfinite(gain):
             raise ValueError(f"measure must give finite gains, got {gain}")
         return gain
+
+    def _describe(self, description: Description) -> int:
+        parts = description.add_all(self.strategies)
+        measure = self._empty(description.effect_dim)
+        if type(measure) is not Coverage:
+            raise NotBuiltInError("measure", measure)
+        return description.engine.adapt(parts, measure, self.window, self.alpha, self.head_start)
 
     def __getstate__(self) -> dict[str, Any]:
         """Leave out what was measured: it is made anew from the history."""

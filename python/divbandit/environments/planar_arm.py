@@ -13,6 +13,8 @@ from divbandit.box import Box
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from divbandit._engine import Description
+
 
 class PlanarArm:
     """A planar arm: joint angles in, position of the tip out.
@@ -124,6 +126,9 @@ class PlanarArm:
                [1. , 0. ]])
         """
         return self._kernel.posture(command)
+
+    def _describe(self, description: Description) -> tuple[int, int]:
+        return description.engine.planar_arm(self._kernel)
 
     def __repr__(self) -> str:
         return f"PlanarArm({self.joints}, limit={self.limit!r})"

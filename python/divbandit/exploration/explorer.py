@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 from typing import TYPE_CHECKING, NamedTuple
 
-from divbandit._checks import generator
+from divbandit._checks import generator, truth
 from divbandit._core import as_point
 from divbandit.exploration.result import Exploration
 from divbandit.history import History
@@ -46,6 +46,8 @@ class Explorer:
     ----------
     history : History
         All that was told so far.
+    rng : numpy.random.Generator
+        Where all randomness comes from.
 
     Raises
     ------
@@ -78,7 +80,7 @@ class Explorer:
         space, goals = self.history.motor_space, self.history.sensory_space
         strategy.check(space, self.history.effect_dim, has_goals=goals is not None)
         self._strategy = copy.deepcopy(strategy)
-        self._rng = generator(rng)
+        self.rng = generator(rng)
         self._bounds = space.bounds
         self._asked = 0
         self._open: dict[int, _Open] = {}
@@ -113,7 +115,7 @@ class Explorer:
         >>> explorer.ask().command
         array([0.63696169, 0.26978671])
         """
-        proposed = Trial.of(self._strategy.propose(self.history, self._rng))
+        proposed = Trial.of(self._strategy.propose(self.history, self.rng))
         # A copy, so that nobody who changes an array in place changes the log.
         try:
             command = self._bounds.command(proposed.command)
@@ -173,8 +175,13 @@ class Explorer:
         del self._open[number]
         self._strategy.observe(known.proposed, point)
 
-    def result(self) -> Exploration:
+    def result(self, *, keep_commands: bool = True) -> Exploration:
         """Return all that was told so far as an Exploration, to plot or save.
+
+        Parameters
+        ----------
+        keep_commands : bool
+            False leaves the motor commands out.
 
         Examples
         --------
@@ -184,7 +191,8 @@ class Explorer:
         >>> explorer.result().effects
         array([[3.]])
         """
-        return Exploration.from_history(self.history, self._beliefs)
+        truth("keep_commands", keep_commands)
+        return Exploration.from_history(self.history, self._beliefs, keep_commands=keep_commands)
 
     def __repr__(self) -> str:
         return f"<Explorer of {self._strategy!r} after {len(self.history)} evaluations>"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 _FORMAT = "divbandit exploration"
 _VERSION = 1
 
+#: In place of commands: the attribute is then missing.
+NOT_KEPT = cast("NDArray[np.float64]", None)
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Exploration:
@@ -33,6 +36,7 @@ class Exploration:
     motor_space : Box
     sensory_space : Box or None
     commands : numpy.ndarray of float64, shape (n, m)
+        Missing if they were not kept.
     effects : numpy.ndarray of float64, shape (n, s)
     paths : numpy.ndarray of int64, shape (n, depth)
         Who chose each command: indices of strategies, outermost first, -1 beyond the innermost.
@@ -55,8 +59,27 @@ class Exploration:
     paths: NDArray[np.int64]
     diversities: NDArray[np.float64] | None
 
+    def __post_init__(self) -> None:
+        if self.commands is None:
+            object.__delattr__(self, "commands")
+
+    if not TYPE_CHECKING:  # a type checker knows all attributes
+
+        def __getattr__(self, name: str) -> object:
+            if name == "commands":
+                raise AttributeError(
+                    "commands were not kept: explore(..., keep_commands=True) does"
+                )
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+
     @classmethod
-    def from_history(cls, history: History, beliefs: Mapping[int, Sequence[float]]) -> Exploration:
+    def from_history(
+        cls,
+        history: History,
+        beliefs: Mapping[int, Sequence[float]],
+        *,
+        keep_commands: bool = True,
+    ) -> Exploration:
         """Take a copy of a history and of what the bandit believed at each of its steps.
 
         Parameters
@@ -64,6 +87,8 @@ class Exploration:
         history : History
         beliefs : mapping of int to sequence of float
             The diversities before each step, by its index; NaN where it is missing.
+        keep_commands : bool
+            False leaves the motor commands out.
 
         Examples
         --------
@@ -85,7 +110,7 @@ class Exploration:
         return cls(
             history.motor_space,
             history.sensory_space,
-            history.commands.copy(),
+            history.commands.copy() if keep_commands else NOT_KEPT,
             history.effects.copy(),
             paths,
             diversities,
@@ -95,7 +120,7 @@ class Exploration:
         return len(self.effects)
 
     def __repr__(self) -> str:
-        m, s = self.commands.shape[1], self.effects.shape[1]
+        m, s = self.motor_space.dim, self.effects.shape[1]
         return f"<Exploration of {len(self)} evaluations, {m} -> {s}>"
 
     @property
@@ -198,10 +223,11 @@ class Exploration:
         """
         arrays: dict[str, NDArray[Any]] = {
             "motor_space": np.array([self.motor_space.low, self.motor_space.high]),
-            "commands": self.commands,
             "effects": self.effects,
             "paths": self.paths,
         }
+        if hasattr(self, "commands"):
+            arrays["commands"] = self.commands
         if self.sensory_space is not None:
             box = self.sensory_space
             arrays["sensory_space"] = np.array([box.low, box.high])
@@ -241,8 +267,11 @@ class Exploration:
         sensory_space = None
         if "sensory_space" in arrays:
             sensory_space = Box(*_files.array(arrays, "sensory_space", np.float64, (2, None)))
-        commands = _files.array(arrays, "commands", np.float64, (None, motor_space.dim))
-        n = len(commands)
+        paths = _files.array(arrays, "paths", np.int64, (None, None))
+        n = len(paths)
+        commands = NOT_KEPT
+        if "commands" in arrays:
+            commands = _files.array(arrays, "commands", np.float64, (n, motor_space.dim))
         width = None if sensory_space is None else sensory_space.dim
         diversities = None
         if "diversities" in arrays:
@@ -252,6 +281,6 @@ class Exploration:
             sensory_space,
             commands,
             _files.array(arrays, "effects", np.float64, (n, width)),
-            _files.array(arrays, "paths", np.int64, (n, None)),
+            paths,
             diversities,
         )

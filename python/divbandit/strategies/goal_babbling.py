@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from divbandit._checks import real
+from divbandit._engine import bounds_of
 from divbandit.box import Box, BoxLike
 from divbandit.strategies.base import Strategy, Trial
 
 if TYPE_CHECKING:
     from numpy.random import Generator
 
+    from divbandit._engine import Description
     from divbandit.history import History
 
 
@@ -70,6 +72,10 @@ class GoalBabbling(Strategy):
             raise ValueError(_NO_GOALS)
         goal = goals.sample(rng)
         return Trial(history.inverse(goal, rng, d=self.d), goal=goal)
+
+    def _describe(self, description: Description) -> int:
+        goals = None if self.goals is None else bounds_of("goals", self.goals)
+        return description.engine.goal_babbling(self.d, goals)
 
     def __repr__(self) -> str:
         goals = "" if self.goals is None else f", goals={self.goals!r}"

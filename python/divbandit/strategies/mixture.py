@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from numpy.random import Generator
     from numpy.typing import ArrayLike
 
+    from divbandit._engine import Description
     from divbandit.history import History
     from divbandit.strategies.base import Strategy
 
@@ -56,6 +57,10 @@ class Mixture(Composite):
         """Draw a strategy: one ``rng.random()``."""
         del history
         return proportionally(self.weights, rng.random())
+
+    def _describe(self, description: Description) -> int:
+        parts = description.add_all(self.strategies)
+        return description.engine.mixture(parts, self.weights)
 
     def __repr__(self) -> str:
         return f"Mixture({list(self.strategies)!r}, weights={list(self.weights)!r})"

@@ -9,6 +9,7 @@ from divbandit.strategies.base import Strategy, Trial
 if TYPE_CHECKING:
     from numpy.random import Generator
 
+    from divbandit._engine import Description
     from divbandit.history import History
 
 
@@ -26,3 +27,6 @@ class MotorBabbling(Strategy):
     def propose(self, history: History, rng: Generator) -> Trial:
         """Draw a command: one ``rng.random()`` a coordinate."""
         return Trial(history.motor_space.sample(rng))
+
+    def _describe(self, description: Description) -> int:
+        return description.engine.motor_babbling()

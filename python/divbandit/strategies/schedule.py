@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from divbandit._checks import whole
 from divbandit.strategies.composite import Composite
@@ -12,8 +12,13 @@ if TYPE_CHECKING:
 
     from numpy.random import Generator
 
+    from divbandit._engine import Description
     from divbandit.history import History
     from divbandit.strategies.base import Strategy
+
+
+#: What the engine can count.
+_MOST_STEPS = 2**63
 
 
 class Schedule(Composite):
@@ -68,6 +73,12 @@ class Schedule(Composite):
             self._proposed = 0
         self._proposed += 1
         return self._phase
+
+    def _describe(self, description: Description) -> int:
+        parts = description.add_all(self.strategies)
+        # More steps than can be counted are as good as one less.
+        steps = [min(cast("int", steps), _MOST_STEPS) for steps in self.steps[:-1]]
+        return description.engine.schedule(parts, steps, self._phase, self._proposed)
 
     def __repr__(self) -> str:
         return f"Schedule({list(zip(self.steps, self.strategies, strict=True))!r})"

@@ -16,7 +16,7 @@ use crate::errors::value_error;
 /// limit : float
 ///     Every joint's limit in radians: angles lie in [-limit, limit].
 #[pyclass(module = "divbandit._core", name = "PlanarArm", frozen)]
-pub(crate) struct PyPlanarArm(PlanarArm);
+pub(crate) struct PyPlanarArm(pub PlanarArm);
 
 #[pymethods]
 impl PyPlanarArm {

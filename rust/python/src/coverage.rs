@@ -13,7 +13,7 @@ use crate::errors::value_error;
 /// The union of balls that `divbandit.Coverage` is made of.
 #[pyclass(module = "divbandit._core", name = "Coverage", subclass)]
 #[derive(Clone)]
-pub(crate) struct PyCoverage(Coverage);
+pub(crate) struct PyCoverage(pub Coverage);
 
 #[pymethods]
 impl PyCoverage {

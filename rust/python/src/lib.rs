@@ -10,6 +10,7 @@ mod arm;
 mod arrays;
 mod bounds;
 mod coverage;
+mod engine;
 mod errors;
 mod inverse;
 mod kdtree;
@@ -23,6 +24,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<arm::PyPlanarArm>()?;
     module.add_class::<bounds::PyBounds>()?;
     module.add_class::<coverage::PyCoverage>()?;
+    module.add_class::<engine::PyEngine>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
     module.add_function(wrap_pyfunction!(inverse::inverse, module)?)?;
     module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;

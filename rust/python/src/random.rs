@@ -19,13 +19,23 @@ use pyo3::types::{PyCapsule, PyType};
 
 /// The caller's stream of uniform numbers, locked for as long as this lives.
 pub(crate) struct NumpyStream<'py> {
-    bitgen: NonNull<bitgen_t>,
+    draws: Draws,
     lock: Bound<'py, PyAny>,
-    /// Owns the memory behind `bitgen`.
+    /// Owns the memory behind the draws' `bitgen_t`.
     _capsule: Bound<'py, PyCapsule>,
-    /// Owns the state that `bitgen` points to.
+    /// Owns the state that the `bitgen_t` points to.
     _bit_generator: Bound<'py, PyAny>,
 }
+
+/// The numbers themselves, which can be drawn while the thread is detached from Python.
+///
+/// There is one in each [`NumpyStream`], which lends it out but never gives it away.
+pub(crate) struct Draws(NonNull<bitgen_t>);
+
+// SAFETY: NumPy's bit generators may be used from any thread without Python's global lock by who
+// holds the bit generator's own lock, and that is held for as long as the `NumpyStream` lives
+// that lends this.
+unsafe impl Send for Draws {}
 
 impl<'py> NumpyStream<'py> {
     /// Locks the stream of `rng`, a `numpy.random.Generator`.
@@ -44,20 +54,46 @@ impl<'py> NumpyStream<'py> {
         let bitgen = capsule.pointer_checked(Some(c"BitGenerator"))?.cast::<bitgen_t>();
         let lock = bit_generator.getattr(intern!(py, "lock"))?;
         lock.call_method0(intern!(py, "acquire"))?;
-        Ok(Self { bitgen, lock, _capsule: capsule, _bit_generator: bit_generator })
+        let draws = Draws(bitgen);
+        Ok(Self { draws, lock, _capsule: capsule, _bit_generator: bit_generator })
+    }
+
+    /// The numbers, lent to a computation that detaches from Python.
+    pub fn draws(&mut self) -> &mut Draws {
+        &mut self.draws
     }
 }
 
 impl UniformStream for NumpyStream<'_> {
     #[inline]
     fn next(&mut self) -> f64 {
+        self.draws.next()
+    }
+
+    fn fill(&mut self, numbers: &mut [f64]) {
+        self.draws.fill(numbers);
+    }
+}
+
+impl UniformStream for Draws {
+    #[inline]
+    fn next(&mut self) -> f64 {
+        let mut number = [0.0];
+        self.fill(&mut number);
+        number[0]
+    }
+
+    #[inline]
+    fn fill(&mut self, numbers: &mut [f64]) {
         // SAFETY: NumPy names a capsule "BitGenerator" only if it holds a `bitgen_t`, whose
         // layout is part of its C interface. The capsule and the bit generator are kept alive
-        // by `self`, so the pointer and the state behind it are valid; the bit generator's lock
-        // is held, so nobody else advances the state meanwhile.
+        // by the `NumpyStream` that owns or lends `self`, so the pointer and the state behind it
+        // are valid; the bit generator's lock is held, so nobody else advances the state meanwhile.
         unsafe {
-            let bitgen = self.bitgen.as_ref();
-            (bitgen.next_double)(bitgen.state)
+            let &bitgen_t { next_double, state, .. } = self.0.as_ref();
+            for number in numbers {
+                *number = next_double(state);
+            }
         }
     }
 }

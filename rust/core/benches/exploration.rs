@@ -63,6 +63,12 @@ fn best<T>(times: usize, n: usize, mut work: impl FnMut() -> T) -> f64 {
     (0..times).map(|_| time(&mut work)).fold(f64::INFINITY, f64::min)
 }
 
+fn skip(stream: &mut Stream, count: usize) {
+    for _ in 0..count {
+        black_box(stream.unit());
+    }
+}
+
 /// What an exploration did, found out by drawing as it did.
 fn replay(d: f64, n: usize, seed: u64) -> Run {
     let log = explore(d, n, seed);
@@ -70,11 +76,10 @@ fn replay(d: f64, n: usize, seed: u64) -> Run {
     let mut stream = Stream(seed);
     let mut goals = Vec::with_capacity(n);
     for (step, &choice) in choices.iter().enumerate() {
-        let mut skip = |count: usize| (0..count).for_each(|_| drop(black_box(stream.unit())));
-        skip(2);
+        skip(&mut stream, 2);
         let goal = (choice == 1 && step > 0)
             .then(|| [stream.between(-1.0, 1.0), stream.between(-1.0, 1.0)]);
-        (0..JOINTS).for_each(|_| drop(black_box(stream.unit())));
+        skip(&mut stream, JOINTS);
         goals.push(goal);
     }
     Run { commands: log.commands, effects: log.effects, goals, choices }

@@ -14,15 +14,22 @@ impl NearestNeighbors {
             return;
         }
 
-        self.path.clear();
-        let mut node = ROOT;
+        // The highest subtree that this point makes too unequal. Only the side that grows can
+        // become too large, so that its sibling need not be looked at.
+        let mut lopsided = None;
+        let (mut node, mut parent) = (ROOT, None);
         loop {
-            self.path.push(node);
             self.grow_box(node, point);
             let Node { size, kind, .. } = &mut self.nodes[node as usize];
             *size += 1;
+            if let Some((parent, share)) = parent
+                && f64::from(*size) > share
+            {
+                lopsided = lopsided.or(Some(parent));
+            }
             match *kind {
                 Kind::Split { axis, at, left, right } => {
+                    parent = Some((node, LOPSIDED * f64::from(*size) + LEAF as f64));
                     node = if point[axis as usize] < at { left } else { right };
                 }
                 Kind::Leaf { slot } => {
@@ -39,20 +46,7 @@ impl NearestNeighbors {
                 }
             }
         }
-        self.rebalance();
-    }
-
-    /// Builds anew the highest subtree on the last path whose sides are too unequal.
-    fn rebalance(&mut self) {
-        let lopsided = |&node: &u32| match self.nodes[node as usize].kind {
-            Kind::Leaf { .. } => false,
-            Kind::Split { left, right, .. } => {
-                let larger =
-                    self.nodes[left as usize].size.max(self.nodes[right as usize].size) as f64;
-                larger > LOPSIDED * f64::from(self.nodes[node as usize].size) + LEAF as f64
-            }
-        };
-        if let Some(node) = self.path.iter().copied().find(lopsided) {
+        if let Some(node) = lopsided {
             let mut indices = Vec::with_capacity(self.nodes[node as usize].size as usize);
             self.dismantle(node, &mut indices);
             self.build(&mut indices, node);

@@ -38,8 +38,6 @@ pub struct NearestNeighbors {
     leaf_indices: Vec<[u32; LEAF]>,
     free_nodes: Vec<u32>,
     free_leaves: Vec<u32>,
-    /// The nodes from the root to the leaf of the last insertion.
-    path: Vec<u32>,
 }
 
 /// A part of space with at least one point in it.
@@ -86,7 +84,6 @@ impl NearestNeighbors {
             leaf_indices: Vec::new(),
             free_nodes: Vec::new(),
             free_leaves: Vec::new(),
-            path: Vec::new(),
         })
     }
 

@@ -114,6 +114,21 @@ pub fn check_rows(name: &'static str, values: &[f64], row: usize) -> Result<(), 
     }
 }
 
+/// Makes room for `n` more rows of `width`, what `n` steps leave.
+///
+/// # Errors
+/// [`Error::Count`] if there is no memory for them; nothing has changed then.
+pub(crate) fn reserve<T>(rows: &mut Vec<T>, n: usize, width: usize) -> Result<(), Error> {
+    match n.checked_mul(width).map(|more| rows.try_reserve_exact(more)) {
+        Some(Ok(())) => Ok(()),
+        _ => Err(Error::Count {
+            name: "n",
+            must_be: "so few that there is memory for what they leave".to_owned(),
+            got: n,
+        }),
+    }
+}
+
 /// Where in an array of rows the flat `index` stands; in a single row, `[index]` alone.
 pub(crate) fn place(index: usize, row: usize, len: usize) -> String {
     if len == row { format!("[{index}]") } else { format!("[{}, {}]", index / row, index % row) }

@@ -4,7 +4,7 @@
 //! nearest effect.
 
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::{Error, check_length};
+use crate::error::{Error, check_length, reserve};
 use crate::kdtree::NearestNeighbors;
 
 /// All that has been tried so far, and what it led to.
@@ -17,9 +17,8 @@ pub struct History {
     len: usize,
     /// Coordinate by coordinate.
     commands: Vec<f64>,
-    effects: Vec<f64>,
-    /// The effects once more, as far as somebody asked for the nearest.
-    tree: NearestNeighbors,
+    /// The effects, filed as far as somebody asked for the nearest.
+    effects: NearestNeighbors,
 }
 
 impl History {
@@ -44,8 +43,7 @@ impl History {
             keeps_commands,
             len: 0,
             commands: Vec::new(),
-            effects: Vec::new(),
-            tree: NearestNeighbors::new(effect_dim)?,
+            effects: NearestNeighbors::new(effect_dim)?,
         })
     }
 
@@ -88,7 +86,7 @@ impl History {
     /// All effects in order, coordinate by coordinate.
     #[must_use]
     pub fn effects(&self) -> &[f64] {
-        &self.effects
+        self.effects.points()
     }
 
     /// Makes room for so many more evaluations, so that recording them moves nothing.
@@ -99,7 +97,7 @@ impl History {
         if self.keeps_commands {
             reserve(&mut self.commands, n, self.motor_space.dim())?;
         }
-        reserve(&mut self.effects, n, self.effect_dim)
+        self.effects.reserve(n)
     }
 
     /// Records one evaluation; both have the right length.
@@ -107,7 +105,7 @@ impl History {
         if self.keeps_commands {
             self.commands.extend_from_slice(command);
         }
-        self.effects.extend_from_slice(effect);
+        self.effects.log(effect);
         self.len += 1;
     }
 
@@ -125,9 +123,8 @@ impl History {
         command: &mut [f64],
     ) -> Result<(), Error> {
         check_length("command", command, self.motor_space.dim())?;
-        let known = self.tree.len() * self.effect_dim;
-        self.tree.extend(&self.effects[known..])?;
-        let (_, index) = self.tree.nearest(goal)?;
+        self.effects.file_all();
+        let (_, index) = self.effects.nearest(goal)?;
         let m = self.motor_space.dim();
         let Some(parent) = self.commands.get(index * m..(index + 1) * m) else {
             return Err(Error::Empty { name: "commands" });
@@ -138,19 +135,6 @@ impl History {
 
     /// The commands and the effects.
     pub(crate) fn into_log(self) -> (Vec<f64>, Vec<f64>) {
-        (self.commands, self.effects)
-    }
-}
-
-/// Makes room for `n` more rows of `width`.
-pub(crate) fn reserve<T>(rows: &mut Vec<T>, n: usize, width: usize) -> Result<(), Error> {
-    let room = n.checked_mul(width).map(|more| rows.try_reserve_exact(more));
-    match room {
-        Some(Ok(())) => Ok(()),
-        _ => Err(Error::Count {
-            name: "n",
-            must_be: "so few evaluations that there is memory for what they leave".to_owned(),
-            got: n,
-        }),
+        (self.commands, self.effects.into_points())
     }
 }

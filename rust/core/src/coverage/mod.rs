@@ -18,8 +18,9 @@ use crate::kdtree::NearestNeighbors;
 pub use estimate::Estimated;
 pub use plane::BoundaryArc;
 use sum::CompensatedSum;
+use union::HIGHEST;
 pub use union::Sampling;
-use union::{HIGHEST, Union};
+pub(crate) use union::Union;
 
 /// The union of the balls of radius tau around effects, and what each effect added to it.
 #[derive(Debug, Clone)]
@@ -123,6 +124,16 @@ impl Coverage {
             coverage.record(effect, known);
         }
         Ok(coverage)
+    }
+
+    /// Whether it measures as `other` does, whatever effects they hold.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        (self.tau, self.dim, self.sampling) == (other.tau, other.dim, other.sampling)
+    }
+
+    /// The union that it began with.
+    pub(crate) fn empty_union(&self) -> Union {
+        Union::new(self.tau, self.dim, self.sampling)
     }
 
     /// The radius of the balls.

@@ -1,13 +1,22 @@
 //! Gains: what each new effect covers, measured once for all bandits that measure alike.
 
-use crate::coverage::Coverage;
+use crate::coverage::{Coverage, Union};
 use crate::error::{Error, check_length};
 use crate::history::History;
 
 /// The unions by which bandits want gains, each brought up to date when one of them is told.
 #[derive(Debug, Default)]
 pub(super) struct Gains {
-    unions: Vec<Coverage>,
+    measures: Vec<Measure>,
+}
+
+/// The union of balls around the first so many effects of a history, without a log of its own.
+#[derive(Debug)]
+struct Measure {
+    template: Coverage,
+    union: Union,
+    known: usize,
+    newest: f64,
 }
 
 impl Gains {
@@ -17,28 +26,23 @@ impl Gains {
     /// If effects have another dimension.
     pub fn of(&mut self, template: &Coverage, effect_dim: usize) -> Result<usize, Error> {
         check_length("measure", &vec![0.0; template.dim()], effect_dim)?;
-        let alike = |union: &Coverage| {
-            union.tau().to_bits() == template.tau().to_bits()
-                && union.dim() == template.dim()
-                && union.sampling() == template.sampling()
-        };
-        if let Some(place) = self.unions.iter().position(alike) {
+        let known = self.measures.iter().position(|measure| measure.template.is_like(template));
+        if let Some(place) = known {
             return Ok(place);
         }
-        self.unions.push(template.clone());
-        Ok(self.unions.len() - 1)
+        let (template, union) = (template.clone(), template.empty_union());
+        self.measures.push(Measure { template, union, known: 0, newest: 0.0 });
+        Ok(self.measures.len() - 1)
     }
 
     /// What the newest effect of the history has gained, given all before it.
-    ///
-    /// # Errors
-    /// If an effect is not finite.
-    pub fn newest(&mut self, place: usize, history: &History) -> Result<f64, Error> {
-        let union = &mut self.unions[place];
-        let known = union.len() * history.effect_dim();
-        for effect in history.effects()[known..].chunks_exact(history.effect_dim()) {
-            union.add(effect)?;
+    pub fn newest(&mut self, place: usize, history: &History) -> f64 {
+        let measure = &mut self.measures[place];
+        let dim = history.effect_dim();
+        for effect in history.effects()[measure.known * dim..].chunks_exact(dim) {
+            measure.newest = measure.union.insert(effect).gain;
         }
-        Ok(union.gains().last().copied().unwrap_or(0.0))
+        measure.known = history.len();
+        measure.newest
     }
 }

@@ -9,8 +9,8 @@ mod paths;
 
 use crate::bounds::UniformStream;
 use crate::environment::Environment;
-use crate::error::{Error, check_length};
-use crate::history::{History, reserve};
+use crate::error::{Error, check_length, reserve};
+use crate::history::History;
 pub use composition::Composition;
 use composition::Part;
 use gains::Gains;
@@ -138,7 +138,8 @@ impl Exploration {
         }
         self.history.record(&self.command, &self.effect);
         self.ends.push(proposer);
-        self.observe(proposer)
+        self.observe(proposer);
+        Ok(())
     }
 
     /// Lets the strategies choose down to the one that writes the command; returns its node.
@@ -159,17 +160,16 @@ impl Exploration {
     }
 
     /// Tells those who had a part in proposing the newest effect what it has gained.
-    fn observe(&mut self, mut node: u32) -> Result<(), Error> {
+    fn observe(&mut self, mut node: u32) {
         while let Some((parent, index)) = self.paths.parent(node) {
             let part = self.paths.part(parent);
             if let (Some(place), Part::Composite(composite, _)) =
                 (self.measures[part], &mut self.parts[part])
             {
-                composite.credit(index, self.gains.newest(place, &self.history)?);
+                composite.credit(index, self.gains.newest(place, &self.history));
             }
             node = parent;
         }
-        Ok(())
     }
 
     /// What the outermost strategy believes, if it is a bandit.

@@ -6,9 +6,10 @@ use super::{Kind, LEAF, NearestNeighbors, Node, ROOT};
 const LOPSIDED: f64 = 0.7;
 
 impl NearestNeighbors {
-    pub(super) fn insert(&mut self, point: &[f64]) {
-        let index = self.len() as u32;
-        self.points.extend_from_slice(point);
+    /// Files the next point that is not yet in the tree.
+    pub(super) fn file_next(&mut self) {
+        let (index, dim) = (self.filed, self.dim);
+        self.filed += 1;
         if index == 0 {
             self.build(&mut [0], ROOT);
             return;
@@ -19,7 +20,7 @@ impl NearestNeighbors {
         let mut lopsided = None;
         let (mut node, mut parent) = (ROOT, None);
         loop {
-            self.grow_box(node, point);
+            self.grow_box(node, index);
             let Node { size, kind, .. } = &mut self.nodes[node as usize];
             *size += 1;
             if let Some((parent, share)) = parent
@@ -30,7 +31,8 @@ impl NearestNeighbors {
             match *kind {
                 Kind::Split { axis, at, left, right } => {
                     parent = Some((node, LOPSIDED * f64::from(*size) + LEAF as f64));
-                    node = if point[axis as usize] < at { left } else { right };
+                    let x = self.points[index as usize * dim + axis as usize];
+                    node = if x < at { left } else { right };
                 }
                 Kind::Leaf { slot } => {
                     let held = *size as usize - 1;
@@ -128,8 +130,9 @@ impl NearestNeighbors {
         }
     }
 
-    fn grow_box(&mut self, node: u32, point: &[f64]) {
-        let start = node as usize * 2 * self.dim;
+    fn grow_box(&mut self, node: u32, index: u32) {
+        let (start, from) = (node as usize * 2 * self.dim, index as usize * self.dim);
+        let point = &self.points[from..from + self.dim];
         widen(&mut self.boxes[start..start + 2 * self.dim], point);
     }
 

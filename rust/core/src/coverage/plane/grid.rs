@@ -6,6 +6,7 @@
 //! aside: no search meets them.
 
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 
 use super::Disc;
 use super::circle::{Span, floor};
@@ -17,11 +18,12 @@ use super::sectors::{self, Reach, Sectors};
 pub(crate) struct Cell {
     /// What is roughly known of the live discs: most of them cannot matter to a new one, and this
     /// tells so without a look at them. Empty in a crowd.
-    rough: Vec<Rough>,
+    rough: SmallVec<[Rough; 2]>,
     /// Discs with exposed arcs; in a crowd also places where one has been.
     pub live: Vec<Disc>,
     /// Centres of discs without: they matter where rounding decides, and nowhere else.
-    dead: Vec<[f64; 2]>,
+    #[expect(clippy::box_collection, reason = "a third of a list's size in a million cells")]
+    dead: Option<Box<Vec<[f64; 2]>>>,
     /// Which of the cell's squares, `SQUARES` x `SQUARES`, hold a centre of either kind.
     occupied: [u16; SQUARES],
     /// The exposed arcs of the live discs in order, where there are many.
@@ -147,11 +149,15 @@ impl Grid {
         let square = |share: f64| ((share * SQUARES as f64) as usize).min(SQUARES - 1);
         cell.occupied[square(across)] |= 1 << square(up);
         if disc.arcs.is_empty() {
-            cell.dead.push([disc.x, disc.y]); // it fills the last hole nearby
+            cell.bury([disc.x, disc.y]); // it fills the last hole nearby
         } else if let Some(crowd) = &mut cell.crowd {
             crowd.insert(disc, &mut cell.live);
         } else {
             let place = [(EDGE * across) as f32, (EDGE * up) as f32];
+            if cell.live.len() == cell.live.capacity() {
+                // Room for 1, 2, 4 and so on: most cells may hold a single disc.
+                cell.live.reserve_exact(cell.live.len().max(1));
+            }
             cell.rough.push(Rough { place, sectors: sectors::of_arcs(&disc.arcs) });
             cell.live.push(disc);
             if cell.live.len() >= CROWDED {
@@ -186,7 +192,7 @@ impl Grid {
     pub fn has_buried(&self, centre: [f64; 2]) -> bool {
         let [i, j] = centre.map(|x| locate(x / self.edge).0);
         let index = self.index.get(&(i, j));
-        index.is_some_and(|&index| self.cells[index as usize].dead.contains(&centre))
+        index.is_some_and(|&index| self.cells[index as usize].dead().contains(&centre))
     }
 
     /// All discs that have boundary.
@@ -199,7 +205,7 @@ impl Grid {
         self.around(x, y).into_iter().flatten().flat_map(|(index, _)| {
             let cell = &self.cells[index as usize];
             let live = cell.live.iter().filter(|disc| !disc.arcs.is_empty());
-            live.map(|disc| [disc.x, disc.y]).chain(cell.dead.iter().copied())
+            live.map(|disc| [disc.x, disc.y]).chain(cell.dead().iter().copied())
         })
     }
 }
@@ -241,13 +247,24 @@ impl Cell {
             }
             return;
         }
-        self.dead.push([disc.x, disc.y]);
+        let centre = [disc.x, disc.y];
+        self.bury(centre);
         if let Some(crowd) = &mut self.crowd {
             crowd.vacate(place, &mut self.live);
         } else {
             self.live.swap_remove(place);
             self.rough.swap_remove(place);
         }
+    }
+
+    /// Sets aside a disc without boundary.
+    fn bury(&mut self, centre: [f64; 2]) {
+        self.dead.get_or_insert_default().push(centre);
+    }
+
+    /// The centres of discs without boundary.
+    fn dead(&self) -> &[[f64; 2]] {
+        self.dead.as_ref().map_or(&[], |dead| dead.as_slice())
     }
 
     /// Whether a square within a radius of a place, seen from the lower left corner, holds a centre.

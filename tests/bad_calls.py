@@ -22,6 +22,11 @@ RMB, Function, Tree = db.MotorBabbling(), db.FunctionEnvironment, db.NearestNeig
 Grid = db.GridCoverage
 
 
+def many(tasks):
+    """Explore them all: what is wrong with one is said when its turn comes."""
+    return list(db.explore_many(tasks, jobs=1))
+
+
 def without(values, *names):
     return {name: value for name, value in values.items() if name not in names}
 
@@ -53,6 +58,10 @@ FAR_ROWS = {"a far second row": [[0.0, 0.0], [-1e301, 0.0]]}
 PATHS = {"text": "ab", "a number": 1, "None": None, "floats": (0.5,), "negative": (-1,)}
 NOT_TRIALS = {"None": None, "a command": [0.0, 0.0], "text": "ab"}
 NOT_WORLDS = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "an object": object()}
+NOT_CALLABLE = {"a number": 0.02, "text": "ab", "a list": [abs], "a measure": db.GridCoverage(1.0)}
+NOT_TASKS = {"None": None, "a number": 5, "a single one": db.Task(db.PlanarArm(2), RMB, 3)}
+NOT_A_TASK = {"None": None, "a tuple": (db.PlanarArm(2), RMB, 3), "a strategy": RMB}
+NOT_COUNTS = {f"one is {name}": [1, value] for name, value in FROM_1.items()}
 NOT_ONE = {"None": None, "a class": db.MotorBabbling, "text": "ab", "a list": [RMB]}
 
 # (what is called, the argument, what is passed, how)
@@ -100,6 +109,22 @@ TABLE = [
     ("explore", "strategy", NOT_ONE, lambda w, x: db.explore(w.arm, x, n=1, rng=w.rng)),
     ("explore", "n", FROM_1 | NONE, lambda w, x: db.explore(w.arm, RMB, n=x, rng=w.rng)),
     ("explore", "rng", NOT_SEEDS, lambda w, x: db.explore(w.arm, RMB, n=1, rng=x)),
+    ("explore_many", "tasks", NOT_TASKS, lambda _, x: db.explore_many(x)),
+    ("explore_many", "tasks", NOT_A_TASK, lambda w, x: many([w.task, x])),
+    ("explore_many", "keep", NOT_CALLABLE, lambda w, x: db.explore_many([w.task], keep=x)),
+    ("explore_many", "rng", NOT_SEEDS, lambda w, x: db.explore_many([w.task], rng=x)),
+    ("explore_many", "jobs", FROM_1, lambda w, x: db.explore_many([w.task], jobs=x, rng=w.rng)),
+    ("explore_many", "progress", NOT_CALLABLE, lambda w, x: db.explore_many([w.task], progress=x)),
+    ("Task", "environment", NOT_WORLDS, lambda w, x: many([db.Task(x, RMB, 1, w.rng)])),
+    ("Task", "strategy", NOT_ONE, lambda w, x: many([db.Task(w.arm, x, 1, w.rng)])),
+    ("Task", "n", FROM_1 | NONE, lambda w, x: many([db.Task(w.arm, RMB, x, w.rng)])),
+    ("Task", "rng", NOT_SEEDS, lambda w, x: many([db.Task(w.arm, RMB, 1, x)])),
+    ("Task.over", "seeds", {"None": None, "a number": 25}, lambda w, x: w.task.over(x)),
+    ("Task.over", "rng", NOT_SEEDS, lambda w, x: many(w.task.over([x]))),
+    ("summarize", "tau", POSITIVE, lambda _, x: db.summarize(x)),
+    ("summarize", "at", NOT_COUNTS | {"a number": 3}, lambda _, x: db.summarize(0.1, at=x)),
+    ("summarize()", "at", {"beyond": [1, 4]}, lambda w, x: db.summarize(0.1, at=x)(w.run)),
+    ("summarize()", "run", {"None": None, "effects": [[0, 0]]}, lambda _, x: db.summarize(0.1)(x)),
     ("Explorer", "strategy", NOT_ONE, lambda w, x: db.Explorer(x, w.box)),
     ("Explorer", "motor_space", NOT_SPACES, lambda _, x: db.Explorer(RMB, x)),
     ("Explorer", "sensory_space", WRONG_SPACES, lambda w, x: db.Explorer(RMB, w.box, x)),

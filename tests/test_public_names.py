@@ -23,8 +23,9 @@ CORE = (
 def members(name, item):
     """Yield a class's public methods and properties, each with its qualified name."""
     if inspect.isclass(item):
+        inherited = dir(tuple) if issubclass(item, tuple) else ()
         for key in dir(item):
-            if not key.startswith("_"):
+            if not key.startswith("_") and key not in inherited:
                 yield f"{name}.{key}", inspect.getattr_static(item, key), getattr(item, key)
 
 
@@ -55,7 +56,8 @@ DOCUMENTED = {name: reached for name, (_, reached) in PUBLIC.items()} | dict(com
 def is_field(name):
     """Say whether it is a plain attribute, described in the docstring of its class."""
     raw, reached = PUBLIC[name]
-    slot = inspect.ismemberdescriptor(raw)
+    owner, _, key = name.partition(".")
+    slot = inspect.ismemberdescriptor(raw) or key in getattr(getattr(db, owner), "_fields", ())
     return slot or not (callable(reached) or hasattr(type(reached), "__get__"))
 
 

@@ -34,6 +34,7 @@ class World:
                 measure.add(effect)
             self.tree.add(effect)
             self.explorer.tell(self.explorer.ask(), effect)
+        self.task = db.Task(self.arm, RMB, 3)
         self.trial = self.explorer.ask()
         self.by_hand = db.Trial([0.0, 0.0])
 

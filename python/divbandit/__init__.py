@@ -13,6 +13,7 @@ from divbandit._core import NearestNeighbors
 from divbandit.bandits import Adapt
 from divbandit.box import Box
 from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
+from divbandit.experiments import Summary, Task, explore_many, summarize
 from divbandit.exploration import Exploration, Explorer, explore
 from divbandit.history import History
 from divbandit.measures import (
@@ -56,8 +57,12 @@ __all__ = [
     "Schedule",
     "Sparseness",
     "Strategy",
+    "Summary",
+    "Task",
     "Trial",
     "coverage",
     "explore",
+    "explore_many",
     "plot",
+    "summarize",
 ]

@@ -40,7 +40,7 @@ def test_a_point_is_the_mean_and_population_deviation_of_its_explorations():
     assert point.std == pytest.approx(math.sqrt(sum((x - mean) ** 2 for x in final) / 3), rel=1e-9)
 
 
-def test_the_number_of_processes_changes_nothing():
+def test_the_number_of_jobs_changes_nothing():
     assert figure4.run(1, n=60, repetitions=2, jobs=2) == figure4.run(
         1, n=60, repetitions=2, jobs=1
     )

@@ -46,6 +46,6 @@ def test_figure_2_has_a_panel_for_each_perturbation():
     plt.close(figure)
 
 
-def test_the_number_of_processes_changes_nothing():
+def test_the_number_of_jobs_changes_nothing():
     for one, two in zip(figure2.run(0, n=50, jobs=1), figure2.run(0, n=50, jobs=2), strict=True):
         np.testing.assert_array_equal(one.commands, two.commands)

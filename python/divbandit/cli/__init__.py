@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from divbandit.experiments.parallel import Progress
+    from divbandit.experiments.explore_many import Progress
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -77,7 +77,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     reproduce.add_argument("--seed", type=_from(0), default=0, metavar="N", help="(default: 0)")
     reproduce.add_argument(
-        "--jobs", type=_from(1), default=None, metavar="N", help="processes (default: all cores)"
+        "--jobs", type=_from(1), default=None, metavar="N", help="threads (default: all cores)"
     )
     return parser
 

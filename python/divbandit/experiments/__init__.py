@@ -1,5 +1,7 @@
-"""Experiments: many explorations, spread over processes."""
+"""Experiments: many explorations at once, and what is kept of them."""
 
-from divbandit.experiments.parallel import run_all
+from divbandit.experiments.explore_many import explore_many
+from divbandit.experiments.summary import Summary, summarize
+from divbandit.experiments.task import Task
 
-__all__ = ["run_all"]
+__all__ = ["Summary", "Task", "explore_many", "summarize"]

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from divbandit.experiments import run_all
-from divbandit.exploration import Exploration, explore
+from divbandit.experiments import Task, explore_many
 from divbandit.paper import setting
 from divbandit.paper.figure1 import panel
 from divbandit.plot import style
@@ -15,21 +14,20 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from divbandit.experiments.parallel import Progress
+    from divbandit.experiments.explore_many import Progress
+    from divbandit.exploration import Exploration
 
 
 def run(
     seed: int, *, n: int = 5000, jobs: int | None = None, progress: Progress | None = None
 ) -> list[Exploration]:
     """Explore the arm by goal babbling, once for each d."""
-    tasks = [(seed, index, n) for index in range(len(setting.PERTURBATIONS))]
-    return run_all(_explore, tasks, jobs=jobs, progress=progress)
-
-
-def _explore(task: tuple[int, int, int]) -> Exploration:
-    seed, index, n = task
-    strategy = setting.goal_babbling(setting.PERTURBATIONS[index])
-    return explore(setting.arm(), strategy, n, rng=setting.seed_of(seed, 2, index))
+    tasks = [
+        Task(setting.arm(), setting.goal_babbling(d), n, rng=setting.seed_of(seed, 2, index))
+        for index, d in enumerate(setting.PERTURBATIONS)
+    ]
+    runs = dict(explore_many(tasks, jobs=jobs, progress=progress))
+    return [runs[index] for index in range(len(tasks))]
 
 
 def draw(explorations: Sequence[Exploration]) -> Figure:

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from divbandit.experiments import run_all
-from divbandit.exploration import Exploration, explore
+from divbandit.experiments import Task, explore_many
 from divbandit.measures import coverage
 from divbandit.paper import setting
 from divbandit.paper.figure1 import frame
@@ -22,7 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from divbandit.experiments.parallel import Progress
+    from divbandit.experiments.explore_many import Progress
+    from divbandit.exploration import Exploration
 
 
 @dataclass(frozen=True)
@@ -44,30 +44,24 @@ def run(
     progress: Progress | None = None,
 ) -> list[Row]:
     """Explore the arm with ADAPT, `repetitions` times for each d."""
-    tasks = [
-        (seed, index, repetition, n)
-        for index in range(len(setting.PERTURBATIONS))
+    tasks = (
+        Task(setting.arm(), setting.adapt(d), n, rng=setting.seed_of(seed, 3, index, repetition))
+        for index, d in enumerate(setting.PERTURBATIONS)
         for repetition in range(repetitions)
-    ]
-    choices = run_all(_choices, tasks, jobs=jobs, progress=progress)
+    )
+    shown: dict[int, Exploration] = {}
+    choices: dict[int, NDArray[np.int64]] = {}
+    for place, exploration in explore_many(tasks, jobs=jobs, progress=progress):
+        choices[place] = exploration.choices
+        if place % repetitions == 0:
+            shown[place] = exploration
     rows = []
     for index, d in enumerate(setting.PERTURBATIONS):
-        of_d = choices[index * repetitions : (index + 1) * repetitions]
+        first = index * repetitions
+        of_d = (choices[place] for place in range(first, first + repetitions))
         shares = [usage_of(chosen, strategies=2)[:, 0] for chosen in of_d]
-        # Made once more: cheaper than to send every exploration between processes.
-        shown = _explore((seed, index, 0, n))
-        rows.append(Row(d, shown, np.mean(shares, axis=0), repetitions))
+        rows.append(Row(d, shown[first], np.mean(shares, axis=0), repetitions))
     return rows
-
-
-def _explore(task: tuple[int, int, int, int]) -> Exploration:
-    seed, index, repetition, n = task
-    strategy = setting.adapt(setting.PERTURBATIONS[index])
-    return explore(setting.arm(), strategy, n, rng=setting.seed_of(seed, 3, index, repetition))
-
-
-def _choices(task: tuple[int, int, int, int]) -> NDArray[np.int64]:
-    return _explore(task).choices
 
 
 def draw(rows: Sequence[Row]) -> Figure:

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from divbandit.experiments import run_all
-from divbandit.exploration import explore
+from divbandit.experiments import Task, explore_many
 from divbandit.measures import coverage
 from divbandit.paper import setting
 from divbandit.plot import mixtures, style
@@ -21,7 +20,9 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from divbandit.experiments.parallel import Progress
+    from divbandit.experiments.explore_many import Progress
+    from divbandit.exploration import Exploration
+    from divbandit.strategies import Strategy
 
 
 @dataclass(frozen=True)
@@ -51,17 +52,19 @@ def run(
     progress: Progress | None = None,
 ) -> list[Point]:
     """Explore the arm with ADAPT and with each of the 21 mixtures, for each d."""
-    tasks = [
-        (seed, i, j, repetition, n)
-        for i in range(len(setting.PERTURBATIONS))
-        for j in range(len(_STRATEGIES))
+    tasks = (
+        Task(setting.arm(), _strategy(d, ratio), n, rng=setting.seed_of(seed, 4, i, j, repetition))
+        for i, d in enumerate(setting.PERTURBATIONS)
+        for j, ratio in enumerate(_STRATEGIES)
         for repetition in range(repetitions)
-    ]
-    final = np.reshape(run_all(_diversity, tasks, jobs=jobs, progress=progress), (-1, repetitions))
+    )
+    final = np.empty(explorations(repetitions))
+    for place, reached in explore_many(tasks, keep=_diversity, jobs=jobs, progress=progress):
+        final[place] = reached
     keys = [(d, ratio) for d in setting.PERTURBATIONS for ratio in _STRATEGIES]
     return [
         Point(d, ratio, float(of_point.mean()), float(of_point.std()))
-        for (d, ratio), of_point in zip(keys, final, strict=True)
+        for (d, ratio), of_point in zip(keys, final.reshape(-1, repetitions), strict=True)
     ]
 
 
@@ -70,13 +73,12 @@ def explorations(repetitions: int) -> int:
     return len(setting.PERTURBATIONS) * len(_STRATEGIES) * repetitions
 
 
-def _diversity(task: tuple[int, int, int, int, int]) -> float:
-    """Explore once and return the final diversity."""
-    seed, i, j, repetition, n = task
-    d, ratio = setting.PERTURBATIONS[i], _STRATEGIES[j]
-    strategy = setting.adapt(d) if ratio is None else setting.mixture(d, ratio)
-    place = setting.seed_of(seed, 4, i, j, repetition)
-    return coverage(explore(setting.arm(), strategy, n, rng=place).effects, setting.TAU)
+def _strategy(d: float, ratio: float | None) -> Strategy:
+    return setting.adapt(d) if ratio is None else setting.mixture(d, ratio)
+
+
+def _diversity(exploration: Exploration) -> float:
+    return coverage(exploration.effects, setting.TAU)
 
 
 def draw(points: Sequence[Point]) -> Figure:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from divbandit.experiments.parallel import Progress
+    from divbandit.experiments.explore_many import Progress
 
     #: Opens a bar of a name and a number of steps, to be advanced by calls.
     Bar = Callable[[str, int], AbstractContextManager[Progress]]
@@ -51,8 +51,7 @@ def reproduce(
     seed : int
         All randomness comes from it.
     jobs : int, optional
-        How many processes; by default as many as there are cores. The files do not depend on it.
-        With more than 1, a script calls this under ``if __name__ == "__main__":``.
+        How many threads; by default as many as there are cores. The files do not depend on it.
     bar : callable, optional
         Opens a progress bar, given a name and a number of steps.
 

@@ -1,0 +1,111 @@
+"""Summary: the few numbers of an exploration that a comparison of many needs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from divbandit._checks import whole
+from divbandit.exploration import Exploration
+from divbandit.measures import Coverage
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+
+class Summary(NamedTuple):
+    """What `summarize` keeps of an exploration.
+
+    Attributes
+    ----------
+    coverage : numpy.ndarray of float64, shape (k,)
+        After each of k steps, in the units of the effects to the power of their dimension.
+    usage : numpy.ndarray of float64, shape (q,)
+        The share of all steps that each part of the top-level strategy was chosen for, in [0, 1].
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import divbandit as db
+    >>> db.Summary(coverage=np.array([2.25]), usage=np.array([0.25, 0.75])).usage
+    array([0.25, 0.75])
+    """
+
+    coverage: NDArray[np.float64]
+    usage: NDArray[np.float64]
+
+
+def summarize(tau: float, *, at: Iterable[int] | None = None) -> Callable[[Exploration], Summary]:
+    """Return a function of an exploration that gives its Summary: what `explore_many` may keep.
+
+    Parameters
+    ----------
+    tau : float
+        Radius of the balls, in the units of the effects; positive.
+    at : iterable of int, optional
+        After which steps to tell the coverage: counts of effects, from 1 on. By default after
+        the last.
+
+    Returns
+    -------
+    callable
+        Takes an Exploration and returns a Summary. Its ``usage`` has an element for each part of
+        a bandit. Of another strategy only what was chosen is known: it then has as many elements
+        as there are up to the last part that was chosen, and one if there are no parts.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `tau` is not a positive number or `at` holds what is no count. The function that is
+        returned raises them if the exploration has fewer steps, or none, or effects of a
+        dimension that `Coverage` does not take.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+    >>> task = db.Task(db.PlanarArm(20), adapt, n=500)
+    >>> many = db.explore_many(task.over(range(4)), keep=db.summarize(0.02, at=[100, 500]))
+    >>> [(each.coverage.shape, each.usage.shape) for _, each in many]
+    [((2,), (2,)), ((2,), (2,)), ((2,), (2,)), ((2,), (2,))]
+    """
+    Coverage(tau)  # or what is wrong with tau
+    if at is None:
+        return _Summarize(tau, None)
+    if not isinstance(at, Iterable):
+        raise TypeError(f"at must be an iterable of counts, such as [100], got {type(at).__name__}")
+    return _Summarize(tau, tuple(whole("at", count, low=1) for count in at))
+
+
+@dataclass(frozen=True, repr=False)
+class _Summarize:
+    """The function that `summarize` returns."""
+
+    tau: float
+    at: tuple[int, ...] | None
+
+    def __call__(self, run: Exploration) -> Summary:
+        if not isinstance(run, Exploration):
+            raise TypeError(f"run must be an Exploration, got {type(run).__name__}")
+        n = len(run)
+        if n == 0:
+            raise ValueError("run must have at least one step, got none")
+        counts = (n,) if self.at is None else self.at
+        for count in counts:
+            whole("at", count, low=1, high=n)
+        steps = np.array(counts, dtype=np.int64) - 1
+        return Summary(run.coverage(self.tau)[steps], _usage(run))
+
+    def __repr__(self) -> str:
+        return f"summarize({self.tau!r}, at={self.at!r})"
+
+
+def _usage(run: Exploration) -> NDArray[np.float64]:
+    parts = 0 if run.diversities is None else run.diversities.shape[1]
+    chosen = run.choices[run.choices >= 0]  # a strategy of one's own may leave steps to nobody
+    return np.bincount(chosen, minlength=max(parts, 1)) / len(run)

@@ -1,0 +1,54 @@
+"""Task: what an exploration is made of, once or once for each seed."""
+
+import itertools
+import pickle
+
+import pytest
+
+import divbandit as db
+
+TASK = db.Task(db.PlanarArm(2), db.MotorBabbling(), 10)
+
+
+def test_it_holds_what_it_was_given():
+    arm, strategy = db.PlanarArm(2), db.MotorBabbling()
+    task = db.Task(environment=arm, strategy=strategy, n=10, rng=3)
+    assert task.environment is arm
+    assert task.strategy is strategy
+    assert (task.n, task.rng) == (10, 3)
+
+
+def test_it_cannot_be_changed():
+    with pytest.raises(AttributeError):
+        TASK.n = 11
+
+
+def test_over_seeds_differs_in_the_seed_alone():
+    tasks = list(TASK.over([4, None, 2]))
+    assert [task.rng for task in tasks] == [4, None, 2]
+    assert all(task.environment is TASK.environment for task in tasks)
+    assert all(task.strategy is TASK.strategy for task in tasks)
+    assert all(task.n == 10 for task in tasks)
+    assert TASK.rng is None
+
+
+def test_over_takes_seeds_one_by_one():
+    seeds = itertools.count()
+    tasks = TASK.over(seeds)
+    assert next(seeds) == 0
+    assert next(tasks).rng == 1
+
+
+def test_it_says_what_it_is():
+    assert repr(db.Task(None, db.MotorBabbling(), 10, 3)) == (
+        "Task(environment=None, strategy=MotorBabbling(), n=10, rng=3)"
+    )
+
+
+def test_it_can_be_pickled():
+    again = pickle.loads(pickle.dumps(db.Task(db.PlanarArm(2), db.MotorBabbling(), 10, 3)))  # noqa: S301
+    first, second = (
+        db.explore(task.environment, task.strategy, task.n, rng=task.rng)
+        for task in (again, next(TASK.over([3])))
+    )
+    assert first.commands.tobytes() == second.commands.tobytes()

@@ -98,7 +98,7 @@ def test_whole_explorations_are_forgotten_when_they_were_yielded():
         alive.add(run)
         del run
         most = max(most, len(alive))
-    assert most <= 1  # that which `_` still holds
+    assert most <= 2  # a thread may be just about to forget its last
     assert len(alive) == 0
 
 

@@ -100,6 +100,9 @@ def explore_many(
 
     Notes
     -----
+    Threads share one interpreter: code in Python takes turns; what lets go of its lock - compiled
+    code, or an environment that waits for a simulator or a robot - runs side by side.
+
     Nothing begins before the first result is asked for. All that is under way ends between two
     steps when the iterator is closed or dropped, one of them fails or Ctrl-C comes while waiting
     for a result; a call of an environment or of `keep` that has begun is waited for.

@@ -67,7 +67,7 @@ class Workers(Generic[Item, Result]):
         self._todo.put((item, Future()))
         if not self._threads:
             self._start(self._watch)
-        if len(self._threads) <= min(self._jobs, self._open):  # one of them watches
+        if len(self._threads) <= self._jobs:  # one of them watches
             self._start(self._work)
 
     def get(self) -> Result:

@@ -89,7 +89,8 @@ class Workers(Generic[Item, Result]):
     def __exit__(self, *_: object) -> None:
         self._stop.set()
         for thread in self._threads:
-            # Whoever drops an iterator may be any thread; and a Ctrl-C may have come too early.
+            # Whoever drops an iterator may be any thread. And a Ctrl-C may have come in the middle
+            # of starting one, which then ends by itself.
             if thread.ident is not None and thread is not threading.current_thread():
                 thread.join()
 

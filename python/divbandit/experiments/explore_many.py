@@ -11,7 +11,7 @@ from divbandit._checks import whole
 from divbandit.experiments import seeds
 from divbandit.experiments.task import Task
 from divbandit.experiments.workers import Workers, available_cores
-from divbandit.exploration.explore import explore_until
+from divbandit.exploration.explore import explore_between
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     Progress = Callable[[], object]
 
 Kept = TypeVar("Kept")
+
+
+class _Stopped(Exception):  # noqa: N818 - nothing went wrong
+    """An exploration was stopped before its end."""
 
 
 @overload
@@ -100,8 +104,9 @@ def explore_many(
 
     Notes
     -----
-    Threads share one interpreter: code in Python takes turns; what lets go of its lock - compiled
-    code, or an environment that waits for a simulator or a robot - runs side by side.
+    Explorations of built-in parts alone are made by the engine, which lets go of Python's lock:
+    they run side by side. Code in Python takes turns, but for what lets go of the lock itself, as
+    an environment that waits for a simulator or a robot does.
 
     Nothing begins before the first result is asked for. All that is under way ends between two
     steps when the iterator is closed or dropped, one of them fails or Ctrl-C comes while waiting
@@ -170,6 +175,17 @@ def _explored(
     seed: SeedSequence,
     stop: Event,
 ) -> object:
-    rng = seed if task.rng is None else task.rng
-    run = explore_until(stop, task.environment, task.strategy, task.n, rng=rng)
+    def unless_stopped() -> None:
+        if stop.is_set():
+            raise _Stopped
+
+    run = explore_between(
+        task.environment,
+        task.strategy,
+        task.n,
+        seed if task.rng is None else task.rng,
+        task.engine,
+        keep_commands=task.keep_commands,
+        between=unless_stopped,
+    )
     return run if keep is None else keep(run)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     from divbandit._checks import Rng
     from divbandit.environments import Environment
+    from divbandit.exploration.explore import Engine
     from divbandit.strategies.base import Strategy
 
 
@@ -30,6 +31,10 @@ class Task:
         How many evaluations, at least 1.
     rng : None, int, SeedSequence or Generator
         All randomness comes from it. None lets `explore_many` seed it by its place.
+    engine : {"auto", "python", "rust"}
+        Where the steps are made, as in `explore`.
+    keep_commands : bool
+        Whether the Exploration is to have the motor commands, as in `explore`.
 
     See Also
     --------
@@ -47,6 +52,8 @@ class Task:
     strategy: Strategy
     n: int
     rng: Rng = None
+    engine: Engine = "auto"
+    keep_commands: bool = True
 
     def over(self, seeds: Iterable[Rng]) -> Iterator[Task]:
         """Return the same task once for each seed.

@@ -21,10 +21,11 @@ reproduce: $(VENV)/.run develop ## the paper's four figures and the comparison, 
 
 test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI makes
 
-bench: $(VENV)/.test develop ## kernels (criterion) and peers; the peers' table goes into the README
+bench: $(VENV)/.test develop ## kernels (criterion), peers, whole explorations; the peers' table goes into the README
 	cargo bench --locked --package divbandit-core
 	$(BIN)/python benches/peers.py --readme README.md
-	$(BIN)/python benches/loop.py
+	$(BIN)/maturin develop --release --locked --manifest-path benches/scalar_arm/Cargo.toml
+	$(BIN)/python benches/engine.py
 
 fuzz: $(FUZZ) ## the coverage kernels' laws on hostile effects, FUZZ_SECONDS (300) for each target
 	@for target in plane space; do \
@@ -38,6 +39,7 @@ lint: $(VENV)/.test # formatting and linters of both languages
 	cargo fmt --all --check
 	cargo clippy --locked --workspace --all-targets -- -D warnings
 	cargo fmt --manifest-path fuzz/Cargo.toml --check
+	cargo fmt --manifest-path benches/scalar_arm/Cargo.toml --check
 	$(BIN)/ruff format --check
 	$(BIN)/ruff check
 
@@ -65,7 +67,7 @@ lock: $(VENV)/.test # requirements.txt anew, from pyproject.toml
 		--no-emit-find-links --no-emit-trusted-host --unsafe-package divbandit --output-file requirements.txt pyproject.toml
 
 clean: ## remove all that was built
-	rm -rf target fuzz/target .tools dist figures $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf target fuzz/target benches/scalar_arm/target .tools dist figures $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # The compiled module, built in place; a moment when nothing has changed.
 develop: $(VENV)/.run

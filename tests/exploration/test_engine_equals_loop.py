@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 import divbandit as db
 from tests.compositions import compositions
+from tests.exploration.chosen_stream import BELOW_ONE, MOST, stream
 from tests.exploration.random_arms import arms
 from tests.exploration.random_compositions import compositions as random_compositions
 from tests.exploration.sameness import differences
@@ -47,6 +48,27 @@ def test_any_composition(data):
     used(rngs, data.draw(st.integers(0, 700)), data.draw(st.integers(0, 3)))
     note(f"motor_space={arm.motor_space}, sensory_space={arm.sensory_space}")
     assert_same(arm, strategy, data.draw(st.integers(1, 120)), rngs)
+
+
+EDGES = st.sampled_from([0.0, 2.0**-53, 0.25, 0.5, 1 - 2.0**-52, BELOW_ONE])
+DRAWS = st.lists(
+    st.one_of(EDGES, EDGES, st.integers(0, 2**53 - 1).map(lambda k: k * 2.0**-53)), min_size=1
+)
+
+
+@given(DRAWS, st.integers(1, 3), random_compositions())
+@settings(
+    max_examples=200,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
+def test_any_draws(draws, joints, strategy):
+    """Also those that come once in 2**53 times: what lies on an edge falls to the same side."""
+    draws = (draws * MOST)[:MOST]
+    rngs = stream(draws), stream(draws)
+    assert [rng.random() for rng in rngs] == [draws[0]] * 2
+    assert_same(db.PlanarArm(joints), strategy, 60, rngs)
 
 
 PLAIN = {name: each for name, each in compositions().items() if ", by " not in name}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from types import SimpleNamespace
 
 from numpy.random import MT19937, PCG64, PCG64DXSM, SFC64, BitGenerator, Generator, Philox
 
@@ -85,7 +84,7 @@ def arms():
     yield "many turns", Configuration(adapt, arm=db.PlanarArm(7, limit=40.0), n=500)
     narrow = db.PlanarArm(3)
     narrow.motor_space = db.Box([-1.0, 0.25, -2.0], [0.5, 0.25, 2.5])
-    narrow.sensory_space = SimpleNamespace(low=[0.0, -1e9], high=[1.0, 1e9])
+    narrow.sensory_space = db.Box([0.0, -1e9], [1.0, 1e9])
     yield "spaces of one's own", Configuration(adapt, arm=narrow)
 
 

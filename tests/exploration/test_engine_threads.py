@@ -51,7 +51,7 @@ def test_one_generator_for_four_threads(bit_generator, engines):
     rng, plain = twins(bit_generator)
 
     def babbled(engine):
-        runs = [db.explore(ARM, RMB(), N, rng=rng, engine=engine) for _ in range(EACH)]
+        runs = [db.explore(ARM, RMB(), 3 * N, rng=rng, engine=engine) for _ in range(2 * EACH)]
         return np.concatenate([run.commands for run in runs])
 
     commands = np.concatenate(at_once(partial(babbled, engine) for engine in engines))
@@ -89,3 +89,22 @@ def test_drawing_in_python_while_rust_explores():
     assert all(0 <= draw < 1 for draw in own)
     plain.random(2 * (EACH * N * ARM.joints + 20_000))
     assert state(rng) == state(plain)
+
+
+def test_long_explorations_from_one_generator():
+    """Long enough for the engine to look after Python's signals many times on the way."""
+    arm, n = db.PlanarArm(1), 500_000
+    rng, plain = twins(np.random.PCG64)
+    calls = [lambda: db.explore(arm, RMB(), n, rng=rng, engine="rust")] * 2
+    *runs, own = at_once([*calls, lambda: [rng.random() for _ in range(1000)]])
+    stream = plain.random(2 * n + len(own))
+    assert state(rng) == state(plain)
+    for run in runs:
+        assert run.effects.tobytes() == arm(run.commands).tobytes()
+    drawn = np.concatenate([np.concatenate([run.commands for run in runs])[:, 0], angles(arm, own)])
+    assert np.sort(drawn).tolist() == np.sort(angles(arm, stream)).tolist()
+
+
+def angles(arm, draws):
+    """Return what motor babbling makes of draws with one joint."""
+    return -arm.limit + 2 * arm.limit * np.asarray(draws)

@@ -20,10 +20,9 @@ if TYPE_CHECKING:
 class NotBuiltInError(Exception):
     """Some part cannot be described: `where` says which, `kind` what it is."""
 
-    def __init__(self, where: str, part: object) -> None:
-        super().__init__(where, part)
-        self.where = where
-        self.kind = type(part).__name__
+    def __init__(self, where: str, kind: str) -> None:
+        super().__init__(where, kind)
+        self.where, self.kind = where, kind
 
 
 class Description:
@@ -32,7 +31,9 @@ class Description:
     Parameters
     ----------
     environment : object
-        With its ``motor_space`` and ``sensory_space``.
+    motor_space : Box
+        That of the environment.
+    sensory_space : Box, optional
 
     Attributes
     ----------
@@ -43,31 +44,32 @@ class Description:
     Raises
     ------
     NotBuiltInError
-        If the environment is not built in, or was given other kinds of spaces.
+        If the environment is not built in, or a space is not what it began with.
 
     Examples
     --------
     >>> import numpy as np
     >>> import divbandit as db
-    >>> description = Description(db.PlanarArm(3))
+    >>> arm = db.PlanarArm(3)
+    >>> description = Description(arm, arm.motor_space, arm.sensory_space)
     >>> place = description.add("strategy", db.MotorBabbling())
     >>> arrays = description.engine.explore(place, 10, np.random.default_rng(0), True, None)
     >>> arrays[0].shape
     (10, 3)
     """
 
-    def __init__(self, environment: Any) -> None:  # noqa: ANN401 - any black box
+    def __init__(self, environment: object, motor_space: Box, sensory_space: Box | None) -> None:
         describe = _own_description("environment", environment)
-        spaces = {
-            f"environment.{name}": getattr(environment, name)
-            for name in ("motor_space", "sensory_space")
-        }
-        self.engine = _core.Engine(*(bounds_of(where, box) for where, box in spaces.items()))
+        spaces = {"environment.motor_space": motor_space}
+        if sensory_space is not None:
+            spaces["environment.sensory_space"] = sensory_space
+        bounds = [bounds_of(where, box) for where, box in spaces.items()]
+        self.engine = _core.Engine(bounds[0], bounds[1] if len(bounds) > 1 else None)
         self._places: dict[int, int] = {}
         dims = describe(self)
-        for (where, box), dim in zip(spaces.items(), dims, strict=True):
-            if box.dim != dim:  # one that its owner has put in place of the right one
-                raise NotBuiltInError(where, box)
+        for (where, box), dim in zip(spaces.items(), dims, strict=False):
+            if box.dim != dim:  # its owner has put it in place of the right one
+                raise NotBuiltInError(where, f"Box of dimension {box.dim} in place of {dim}")
         self.effect_dim: int = dims[1]
 
     def add(self, where: str, strategy: object) -> int:
@@ -81,7 +83,8 @@ class Description:
         Examples
         --------
         >>> import divbandit as db
-        >>> description = Description(db.PlanarArm(3))
+        >>> arm = db.PlanarArm(3)
+        >>> description = Description(arm, arm.motor_space, arm.sensory_space)
         >>> babbling = db.MotorBabbling()
         >>> description.add("a", babbling), description.add("b", babbling)
         (0, 0)
@@ -101,13 +104,15 @@ class Description:
         Examples
         --------
         >>> import divbandit as db
-        >>> Description(db.PlanarArm(3)).add_all([db.MotorBabbling(), db.GoalBabbling()])
+        >>> arm = db.PlanarArm(3)
+        >>> description = Description(arm, arm.motor_space, arm.sensory_space)
+        >>> description.add_all([db.MotorBabbling(), db.GoalBabbling()])
         [0, 1]
         """
         return [self.add(f"strategies[{i}]", strategy) for i, strategy in enumerate(strategies)]
 
 
-def bounds_of(where: str, box: object) -> _core.Bounds:
+def bounds_of(where: str, box: Box) -> _core.Bounds:
     """Return the bounds of a plain Box.
 
     Examples
@@ -117,13 +122,16 @@ def bounds_of(where: str, box: object) -> _core.Bounds:
     array([1.])
     """
     if type(box) is not Box:
-        raise NotBuiltInError(where, box)
+        raise NotBuiltInError(where, type(box).__name__)
     return box.bounds
 
 
 def _own_description(where: str, part: Any) -> Any:  # noqa: ANN401 - any part
     """Return a part's `_describe`, unless it was inherited or some method replaced."""
     kind = type(part)
-    if "_describe" not in vars(kind) or any(hasattr(kind, name) for name in vars(part)):
-        raise NotBuiltInError(where, part)
+    if "_describe" not in vars(kind):
+        raise NotBuiltInError(where, kind.__name__)
+    for name, value in vars(part).items():
+        if hasattr(kind, name):
+            raise NotBuiltInError(f"{where}.{name}", type(value).__name__)
     return part._describe  # noqa: SLF001 - made for this

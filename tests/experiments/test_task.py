@@ -41,7 +41,8 @@ def test_over_takes_seeds_one_by_one():
 
 def test_it_says_what_it_is():
     assert repr(db.Task(None, db.MotorBabbling(), 10, 3)) == (
-        "Task(environment=None, strategy=MotorBabbling(), n=10, rng=3)"
+        "Task(environment=None, strategy=MotorBabbling(), n=10, rng=3, "
+        "engine='auto', keep_commands=True)"
     )
 
 

@@ -106,6 +106,7 @@ def last(history, rng):
 
 
 WIDE = MyBox([-1, -1], [1, 1])
+WIDE_PLANE = db.Box([-1, -1], [1, 1])
 LIKE_A_BOX = SimpleNamespace(low=[-1] * 3, high=[1] * 3)
 LIKE_A_PLANE = SimpleNamespace(low=[-1, -1], high=[1, 1])
 
@@ -155,8 +156,6 @@ ENVIRONMENTS = [
     (MyArm(3), "environment", "MyArm"),
     (spaced(motor_space=MyBox([-1] * 3, [1] * 3)), "environment.motor_space", "MyBox"),
     (spaced(sensory_space=WIDE), "environment.sensory_space", "MyBox"),
-    (spaced(motor_space=LIKE_A_BOX), "environment.motor_space", "SimpleNamespace"),
-    (spaced(sensory_space=LIKE_A_PLANE), "environment.sensory_space", "SimpleNamespace"),
 ]
 
 PART = r"(?:strategy|environment)(?:\.strategies\[\d+\]|\.\w+)*|\brng\b"
@@ -187,6 +186,33 @@ def test_rust_names_the_environment(environment, part, kind):
 def test_rust_names_the_generator():
     rng = MyGenerator(np.random.PCG64(0))
     assert_refused("rng", "MyGenerator", db.PlanarArm(3), RMB(), rng)
+
+
+@pytest.mark.parametrize(
+    "environment",
+    [
+        spaced(motor_space=LIKE_A_BOX),
+        spaced(sensory_space=LIKE_A_PLANE),
+        spaced(sensory_space=None),
+        spaced(motor_space=LIKE_A_BOX, sensory_space=None),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize(
+    "strategy",
+    [
+        db.Adapt([RMB(), RGB(0.05, goals=WIDE_PLANE)]),
+        db.Mixture(
+            [RMB(), db.Adapt([RMB(), RGB(0.5, goals=WIDE_PLANE)], measure=db.Coverage(0.1))]
+        ),
+    ],
+    ids=str,
+)
+def test_other_kinds_of_spaces_are_no_obstacle(environment, strategy):
+    one, other = twins(np.random.PCG64)
+    looped = db.explore(environment, strategy, N, rng=one, engine="python")
+    assert not differences(looped, db.explore(environment, strategy, N, rng=other, engine="rust"))
+    assert state(one) == state(other)
 
 
 @pytest.mark.parametrize("engine", ["fast", "Rust", "", None, 1, True, ["rust"]])

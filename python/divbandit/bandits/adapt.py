@@ -205,7 +205,7 @@ class Adapt(Composite):
         parts = description.add_all(self.strategies)
         measure = self._empty(description.effect_dim)
         if type(measure) is not Coverage:
-            raise NotBuiltInError("measure", measure)
+            raise NotBuiltInError("measure", type(measure).__name__)
         return description.engine.adapt(parts, measure, self.window, self.alpha, self.head_start)
 
     def __getstate__(self) -> dict[str, Any]:

@@ -40,12 +40,18 @@ def explore_in_rust(
     <Exploration of 100 evaluations, 20 -> 2>
     """
     if type(explorer.rng) is not Generator:
-        raise NotBuiltInError("rng", explorer.rng)
-    description = Description(environment)
+        raise NotBuiltInError("rng", type(explorer.rng).__name__)
+    history = explorer.history
+    space, goals = history.motor_space, history.sensory_space
+    description = Description(environment, space, goals)
+    if goals is None:
+        try:
+            explorer.strategy.check(space, description.effect_dim, has_goals=False)
+        except ValueError:  # found out when the first effect tells its dimension
+            raise NotBuiltInError("environment.sensory_space", "NoneType") from None
     strategy = description.add("strategy", explorer.strategy)
     commands, effects, paths, diversities = description.engine.explore(
         strategy, n, explorer.rng, keep_commands, between
     )
-    space, goals = explorer.history.motor_space, explorer.history.sensory_space
     commands = NOT_KEPT if commands is None else commands
     return Exploration(space, goals, commands, effects, paths, diversities)

@@ -86,6 +86,12 @@ impl<'py> Floats<'py> {
         self.0.shape().len() == 2
     }
 
+    /// A copy of all numbers, row by row, for what is checked first and used later: another thread
+    /// may write to the array in between.
+    pub fn copied(&self) -> PyResult<Vec<f64>> {
+        Ok(self.slice()?.to_vec())
+    }
+
     /// All numbers, row by row.
     pub fn slice(&self) -> PyResult<&[f64]> {
         Ok(self.0.as_slice()?)
@@ -211,8 +217,7 @@ pub(crate) fn as_point<'py>(
     value: &Bound<'py, PyAny>,
     length: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let floats = Floats::point(name, value, length)?;
-    let values = floats.slice()?;
+    let values = Floats::point(name, value, length)?.copied()?;
     if values.is_empty() {
         return Err(PyValueError::new_err(format!("{name} must not be empty")));
     }
@@ -222,5 +227,5 @@ pub(crate) fn as_point<'py>(
             values[index]
         )));
     }
-    read_only(value.py(), values)
+    read_only(value.py(), &values)
 }

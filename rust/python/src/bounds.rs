@@ -23,8 +23,8 @@ pub(crate) struct PyBounds(pub Bounds);
 impl PyBounds {
     #[new]
     fn new(low: &Bound<'_, PyAny>, high: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let low = Floats::point("low", low, None)?.slice()?.to_vec();
-        let high = Floats::point("high", high, Some(low.len()))?.slice()?.to_vec();
+        let low = Floats::point("low", low, None)?.copied()?;
+        let high = Floats::point("high", high, Some(low.len()))?.copied()?;
         Bounds::new(low, high).map(Self).map_err(value_error)
     }
 
@@ -57,7 +57,7 @@ impl PyBounds {
         let d = number("d", d)?;
         let command = self
             .0
-            .perturb(parent.slice()?, d, &mut NumpyStream::lock(rng)?)
+            .perturb(&parent.copied()?, d, &mut NumpyStream::lock(rng)?)
             .map_err(value_error)?;
         read_only(rng.py(), &command)
     }
@@ -65,11 +65,11 @@ impl PyBounds {
     /// A read-only copy of one command (dim,) or of many (n, dim), all of them in the box.
     fn commands<'py>(&self, command: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let floats = Floats::either("command", command, self.0.dim())?;
-        let values = floats.slice()?;
+        let values = floats.copied()?;
         for row in values.chunks_exact(self.0.dim()) {
             self.0.check("command", row).map_err(value_error)?;
         }
-        let copy = read_only(command.py(), values)?;
+        let copy = read_only(command.py(), &values)?;
         if !floats.is_batch() {
             return Ok(copy.into_any());
         }
@@ -83,8 +83,8 @@ impl PyBounds {
     /// A read-only copy of `command`, which must lie in the box.
     fn command<'py>(&self, command: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let floats = Floats::point("command", command, Some(self.0.dim()))?;
-        let values = floats.slice()?;
-        self.0.check("command", values).map_err(value_error)?;
-        read_only(command.py(), values)
+        let values = floats.copied()?;
+        self.0.check("command", &values).map_err(value_error)?;
+        read_only(command.py(), &values)
     }
 }

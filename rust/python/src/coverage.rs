@@ -125,7 +125,7 @@ impl PyCoverage {
     /// 0.001256637
     fn add(&mut self, effect: &Bound<'_, PyAny>) -> PyResult<f64> {
         let effect = Floats::point("effect", effect, Some(self.0.dim()))?;
-        self.0.add(effect.slice()?).map_err(value_error)
+        self.0.add(effect.copied()?).map_err(value_error)
     }
 
     /// Add effects in order and return the gain of each at its turn.
@@ -203,7 +203,7 @@ impl PyCoverage {
     ) -> PyResult<Bound<'py, PyAny>> {
         let points = Floats::either("effect", effect, self.0.dim())?;
         if !points.is_batch() {
-            let found = self.0.estimate(points.slice()?).map_err(value_error)?;
+            let found = self.0.estimate(points.copied()?).map_err(value_error)?;
             return one(py, found, with_error);
         }
         let effects = self.points("effect", effect)?;
@@ -309,8 +309,8 @@ impl PyCoverage {
     ) -> PyResult<Bound<'py, PyAny>> {
         let borrowed = Floats::either("points", points, self.0.dim())?;
         if !borrowed.is_batch() {
-            let point = borrowed.slice()?;
-            check_finite("points", point, self.0.dim()).map_err(value_error)?;
+            let point = borrowed.copied()?;
+            check_finite("points", &point, self.0.dim()).map_err(value_error)?;
             let inside = self.0.contains(point).map_err(value_error)?;
             return Ok(PyBool::new(py, inside).to_owned().into_any());
         }
@@ -350,8 +350,8 @@ impl PyCoverage {
         standard_errors: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
         let effects = self.points("effects", effects)?;
-        let gains = Floats::point("gains", gains, None)?.slice()?.to_vec();
-        let errors = Floats::point("standard_errors", standard_errors, None)?.slice()?.to_vec();
+        let gains = Floats::point("gains", gains, None)?.copied()?;
+        let errors = Floats::point("standard_errors", standard_errors, None)?.copied()?;
         let (tau, dim, sampling) = (self.0.tau(), self.0.dim(), self.0.sampling());
         let restored =
             py.detach(|| Coverage::restored(tau, dim, sampling, &effects, &gains, &errors));
@@ -361,10 +361,9 @@ impl PyCoverage {
 }
 
 impl PyCoverage {
-    /// A copy of many points, checked: while others run, they may change an array between its
-    /// check and its use.
+    /// A copy of many points, checked.
     fn points(&self, name: &'static str, points: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
-        let points = Floats::points(name, points, self.0.dim())?.slice()?.to_vec();
+        let points = Floats::points(name, points, self.0.dim())?.copied()?;
         check_finite(name, &points, self.0.dim()).map_err(value_error)?;
         Ok(points)
     }

@@ -11,6 +11,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arm::PyPlanarArm;
+use crate::arrays::count;
 use crate::bounds::PyBounds;
 use crate::coverage::PyCoverage;
 use crate::errors::value_error;
@@ -45,6 +46,7 @@ type Arrays<'py> = (
 /// >>> from divbandit._core import Bounds, Engine, PlanarArm
 /// >>> engine = Engine(Bounds([-1], [1]), Bounds([-1, -1], [1, 1]))
 /// >>> engine.planar_arm(PlanarArm(1, 1.0))
+/// (1, 2)
 /// >>> parts = [engine.motor_babbling(), engine.goal_babbling(0.05, None)]
 /// >>> mixture = engine.mixture(parts, [0.5, 0.5])
 /// >>> commands, effects, paths, _ = engine.explore(mixture, 4, np.random.default_rng(0), True, None)
@@ -134,11 +136,12 @@ impl PyEngine {
         &mut self,
         py: Python<'py>,
         strategy: usize,
-        n: usize,
+        n: &Bound<'py, PyAny>,
         rng: &Bound<'py, PyAny>,
         keep_commands: bool,
         between: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Arrays<'py>> {
+        let n = count("n", n)?;
         let Some(environment) = self.environment.take() else {
             return Err(PyValueError::new_err("the engine must be told of an environment first"));
         };
@@ -151,16 +154,17 @@ impl PyEngine {
             Exploration::new(environment, history, strategies, strategy).map_err(value_error)?;
         run.reserve(n).map_err(value_error)?;
 
-        let mut stream = NumpyStream::lock(rng)?;
         while run.len() < n {
+            // Locked anew each time: what handles a signal may draw from the same generator.
+            let mut stream = NumpyStream::lock(rng)?;
             let draws = stream.draws();
             py.detach(|| for_a_while(&mut run, n, draws)).map_err(value_error)?;
+            drop(stream);
             py.check_signals()?;
             if let Some(between) = between {
                 between.call0()?;
             }
         }
-        drop(stream);
 
         let Log { commands, effects, paths, depth, diversities } = py.detach(|| run.into_log());
         let rows = |numbers: Vec<f64>, width: usize| numbers.into_pyarray(py).reshape([n, width]);

@@ -43,7 +43,7 @@ pub(crate) fn inverse<'py>(
     };
     let mut stream = NumpyStream::lock(rng)?;
     let command =
-        divbandit_core::inverse(goal.slice()?, d, &effects.0, commands, motor_space, &mut stream)
+        divbandit_core::inverse(&goal.copied()?, d, &effects.0, commands, motor_space, &mut stream)
             .map_err(value_error)?;
     read_only(rng.py(), &command)
 }

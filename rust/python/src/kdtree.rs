@@ -69,7 +69,7 @@ impl PyNearestNeighbors {
     /// (0.25, 0)
     fn add(&mut self, point: &Bound<'_, PyAny>) -> PyResult<()> {
         let point = Floats::point("point", point, Some(self.0.dim()))?;
-        self.0.add(point.slice()?).map_err(value_error)
+        self.0.add(&point.copied()?).map_err(value_error)
     }
 
     /// Add points in order; none of them if one cannot be added.
@@ -92,8 +92,7 @@ impl PyNearestNeighbors {
     /// 2
     fn extend(&mut self, py: Python<'_>, points: &Bound<'_, PyAny>) -> PyResult<()> {
         let points = Floats::points("points", points, self.0.dim())?;
-        // A copy: while others run, they may change the array between its check and its use.
-        let points = points.slice()?.to_vec();
+        let points = points.copied()?;
         py.detach(|| self.0.extend(&points)).map_err(value_error)
     }
 
@@ -135,10 +134,10 @@ impl PyNearestNeighbors {
         let query = Floats::point("query", query, Some(self.0.dim()))?;
         let k = k.map_or(Ok(1), |k| count("k", k))?;
         if k == 1 {
-            let found = self.0.nearest(query.slice()?).map_err(value_error)?;
+            let found = self.0.nearest(&query.copied()?).map_err(value_error)?;
             return Ok(found.into_pyobject(py)?.into_any());
         }
-        let found = self.0.nearest_k(query.slice()?, k).map_err(value_error)?;
+        let found = self.0.nearest_k(&query.copied()?, k).map_err(value_error)?;
         let distances: Vec<f64> = found.iter().map(|&(distance, _)| distance).collect();
         let indices: Vec<i64> = found.iter().map(|&(_, index)| index as i64).collect();
         let found = (distances.into_pyarray(py), indices.into_pyarray(py));

@@ -19,7 +19,10 @@ mod random;
 use pyo3::prelude::*;
 
 /// The compiled kernels of divbandit; `import divbandit` brings all that is public.
-#[pymodule]
+///
+/// Nothing in it relies on Python's global lock: what can change is borrowed by one call at a time,
+/// and a generator's own lock is held while it is drawn from.
+#[pymodule(gil_used = false)]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<arm::PyPlanarArm>()?;
     module.add_class::<bounds::PyBounds>()?;

@@ -221,13 +221,13 @@ class Exploration:
         >>> bool((again.effects == run.effects).all())
         True
         """
+        kept = hasattr(self, "commands")
         arrays: dict[str, NDArray[Any]] = {
             "motor_space": np.array([self.motor_space.low, self.motor_space.high]),
+            "commands": self.commands if kept else np.empty((0, self.motor_space.dim)),
             "effects": self.effects,
             "paths": self.paths,
         }
-        if hasattr(self, "commands"):
-            arrays["commands"] = self.commands
         if self.sensory_space is not None:
             box = self.sensory_space
             arrays["sensory_space"] = np.array([box.low, box.high])
@@ -269,9 +269,11 @@ class Exploration:
             sensory_space = Box(*_files.array(arrays, "sensory_space", np.float64, (2, None)))
         paths = _files.array(arrays, "paths", np.int64, (None, None))
         n = len(paths)
-        commands = NOT_KEPT
-        if "commands" in arrays:
-            commands = _files.array(arrays, "commands", np.float64, (n, motor_space.dim))
+        commands = _files.array(arrays, "commands", np.float64, (None, motor_space.dim))
+        if len(commands) == 0 < n:
+            commands = NOT_KEPT
+        else:
+            _files.array(arrays, "commands", np.float64, (n, motor_space.dim))
         width = None if sensory_space is None else sensory_space.dim
         diversities = None
         if "diversities" in arrays:

@@ -1,0 +1,63 @@
+"""Ctrl-C ends an exploration, wherever its steps are made; so does what is called in between."""
+
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import divbandit as db
+from divbandit.exploration.explore import explore_between
+
+SCRIPT = """
+import divbandit as db
+adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
+print("begun", flush=True)
+try:
+    db.explore(db.PlanarArm(20), adapt, 10**8, rng=0, engine={engine!r}, keep_commands=False)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT for another process")
+@pytest.mark.parametrize("engine", ["python", "rust"])
+def test_ctrl_c(engine):
+    """A hundred million steps would take minutes."""
+    command = [sys.executable, "-c", SCRIPT.format(engine=engine)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:  # noqa: S603
+        try:
+            assert process.stdout.readline() == "begun\n"
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=30)
+        except BaseException:
+            process.kill()
+            raise
+    assert (process.returncode, out) == (0, "interrupted\n")
+
+
+@pytest.mark.parametrize("engine", ["python", "rust"])
+def test_what_is_called_between_ends_it(engine):
+    calls = []
+
+    def between():
+        calls.append(1)
+        if len(calls) == 3:
+            raise TimeoutError
+
+    arm, rng = db.PlanarArm(20), np.random.default_rng(0)
+    with pytest.raises(TimeoutError):
+        explore_between(
+            arm, db.MotorBabbling(), 10**7, rng, engine, keep_commands=False, between=between
+        )
+    assert len(calls) == 3
+    assert 0 <= rng.random() < 1  # nobody holds the generator any more
+
+
+@pytest.mark.parametrize("n", [2**62, 2**70])
+def test_more_steps_than_memory_has_room_for(n):
+    rng = np.random.default_rng(0)
+    with pytest.raises(ValueError, match=r"^n must be .*, got"):
+        db.explore(db.PlanarArm(20), db.MotorBabbling(), n, rng=rng, engine="rust")
+    assert rng.random() == np.random.default_rng(0).random()

@@ -6,6 +6,7 @@
 
 use crate::environment::Environment;
 use crate::error::{Error, check_finite, check_length, check_rows, place};
+use crate::instructions::{Dispatch, Instructions};
 use crate::trig::{MAX_ANGLE, sin_cos};
 
 /// How many angles go through the sines at once: one 512-bit or two 256-bit registers.
@@ -19,17 +20,7 @@ const MAX_JOINTS: usize = 100_000;
 pub struct PlanarArm {
     joints: usize,
     limit: f64,
-    arch: Dispatch,
-}
-
-/// The widest vector instructions that this CPU has, found once.
-#[derive(Debug, Clone, Copy)]
-struct Dispatch(pulp::Arch);
-
-impl PartialEq for Dispatch {
-    fn eq(&self, _: &Self) -> bool {
-        true // the instruction set changes the speed, never the result
-    }
+    dispatch: Dispatch,
 }
 
 impl PlanarArm {
@@ -57,7 +48,22 @@ impl PlanarArm {
                 got: limit,
             });
         }
-        Ok(Self { joints, limit, arch: Dispatch(pulp::Arch::new()) })
+        Ok(Self { joints, limit, dispatch: Dispatch::widest() })
+    }
+
+    /// The same arm, reckoned with these vector instructions in place of the widest that the CPU
+    /// has; None where it does not have them. Effects have the same bits with all of them.
+    ///
+    /// ```
+    /// use divbandit_core::{Instructions, PlanarArm};
+    ///
+    /// let arm = PlanarArm::new(3, 1.0).unwrap();
+    /// let plain = arm.clone().using(Instructions::Baseline).unwrap();
+    /// assert_eq!(plain.effect(&[0.1, 0.2, 0.3]), arm.effect(&[0.1, 0.2, 0.3]));
+    /// ```
+    #[must_use]
+    pub fn using(self, instructions: Instructions) -> Option<Self> {
+        Dispatch::to(instructions).map(|dispatch| Self { dispatch, ..self })
     }
 
     /// The number of joints, which is the dimension of the motor space.
@@ -80,7 +86,7 @@ impl PlanarArm {
     pub fn effect(&self, command: &[f64]) -> Result<[f64; 2], Error> {
         check_length("command", command, self.joints)?;
         self.check("command", command)?;
-        Ok(self.arch.0.dispatch(|| {
+        Ok(self.dispatch.run(|| {
             let mut tip = Tip::default();
             for angles in command.chunks(LANES) {
                 tip.extend(angles);
@@ -100,7 +106,7 @@ impl PlanarArm {
         check_rows("commands", commands, self.joints)?;
         check_length("effects", effects, commands.len() / self.joints * 2)?;
         self.check("commands", commands)?;
-        self.arch.0.dispatch(|| self.effects_of_checked(commands, effects));
+        self.dispatch.run(|| self.effects_of_checked(commands, effects));
         Ok(())
     }
 

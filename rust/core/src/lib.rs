@@ -33,10 +33,10 @@ pub mod environment;
 pub mod error;
 pub mod exploration;
 pub mod history;
+pub mod instructions;
 pub mod inverse;
 pub mod kdtree;
 pub mod strategies;
-
 pub mod trig;
 
 pub use arm::PlanarArm;
@@ -46,5 +46,6 @@ pub use environment::Environment;
 pub use error::Error;
 pub use exploration::{Composition, Exploration};
 pub use history::History;
+pub use instructions::Instructions;
 pub use inverse::inverse;
 pub use kdtree::NearestNeighbors;

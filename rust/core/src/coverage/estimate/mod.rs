@@ -31,6 +31,8 @@ use rays::Shares;
 use rotation::Rotation;
 use stream::{Purpose, Stream};
 
+use crate::instructions::{Dispatch, Instructions};
+
 /// Directions of each set that a gain begins with: 1024 rays in all.
 const FEWEST: usize = LANES;
 
@@ -67,7 +69,7 @@ pub struct Estimate {
     ball: f64,
     grid: Grid,
     directions: Directions,
-    arch: pulp::Arch,
+    dispatch: Dispatch,
     // Room for the work on one gain.
     nearby: Nearby,
     rotation: Rotation,
@@ -96,11 +98,18 @@ impl Estimate {
             ball: lens::ball(tau, dim),
             grid: Grid::new(dim, 2.0 * tau),
             directions: Directions::new(dim, key),
-            arch: pulp::Arch::new(),
+            dispatch: Dispatch::widest(),
             nearby: Nearby::new(dim),
             rotation: Rotation::default(),
             pieces: Vec::new(),
         }
+    }
+
+    /// The same union, measured with these vector instructions in place of the widest that the
+    /// CPU has; None where it does not have them. Gains have the same bits with all of them.
+    #[must_use]
+    pub fn using(self, instructions: Instructions) -> Option<Self> {
+        Dispatch::to(instructions).map(|dispatch| Self { dispatch, ..self })
     }
 
     /// The measure of one ball, which no gain exceeds.
@@ -173,7 +182,7 @@ impl Estimate {
             for (set, sum) in sums.iter_mut().enumerate() {
                 let blocks = self.directions.blocks(set, done, next);
                 let (near, pieces) = (&self.nearby, &mut self.pieces);
-                let shares = self.arch.dispatch(
+                let shares = self.dispatch.run(
                     #[inline(always)]
                     || rays::shares(near, blocks, control, pieces),
                 );

@@ -12,6 +12,10 @@ use crate::trig::{MAX_ANGLE, sin_cos};
 /// How many angles go through the sines at once: one 512-bit or two 256-bit registers.
 const LANES: usize = 8;
 
+/// How many segments of one arm are laid at once. A vector cannot be loaded before the numbers in it
+/// have left for the cache: 20 joints take 102 ns with 8, 77 with 16, 54 with 24 and 57 with 32 at once.
+const SEGMENTS: usize = 24;
+
 /// The longest chain: bent by pi at every joint it stays within the accurate sines.
 const MAX_JOINTS: usize = 100_000;
 
@@ -86,13 +90,16 @@ impl PlanarArm {
     pub fn effect(&self, command: &[f64]) -> Result<[f64; 2], Error> {
         check_length("command", command, self.joints)?;
         self.check("command", command)?;
-        Ok(self.dispatch.run(|| {
-            let mut tip = Tip::default();
-            for angles in command.chunks(LANES) {
-                tip.extend(angles);
-            }
-            tip.over(self.joints)
-        }))
+        Ok(self.dispatch.run(
+            #[inline(always)]
+            || {
+                let mut tip = Tip::default();
+                for angles in command.chunks(SEGMENTS) {
+                    tip.extend(angles);
+                }
+                tip.over(self.joints)
+            },
+        ))
     }
 
     /// The tips' positions for many commands, row by row: `effects` gets x and y of each.
@@ -106,7 +113,10 @@ impl PlanarArm {
         check_rows("commands", commands, self.joints)?;
         check_length("effects", effects, commands.len() / self.joints * 2)?;
         self.check("commands", commands)?;
-        self.dispatch.run(|| self.effects_of_checked(commands, effects));
+        self.dispatch.run(
+            #[inline(always)]
+            || self.effects_of_checked(commands, effects),
+        );
         Ok(())
     }
 
@@ -192,18 +202,24 @@ struct Tip {
 }
 
 impl Tip {
-    /// Lays up to `LANES` further segments.
+    /// Lays up to `SEGMENTS` further segments.
     #[inline(always)]
     fn extend(&mut self, angles: &[f64]) {
-        let mut total = [0.0; LANES];
-        for (total, angle) in total.iter_mut().zip(angles) {
+        let mut totals = [[0.0; LANES]; SEGMENTS / LANES];
+        let (mut sines, mut cosines) = (totals, totals);
+        for (total, angle) in totals.as_flattened_mut().iter_mut().zip(angles) {
             self.angle += angle;
             *total = self.angle;
         }
-        let (sines, cosines) = sin_cos(total);
-        for lane in 0..angles.len().min(LANES) {
-            self.x += cosines[lane];
-            self.y += sines[lane];
+        let used = angles.len().div_ceil(LANES);
+        for ((&total, sines), cosines) in totals[..used].iter().zip(&mut sines).zip(&mut cosines) {
+            (*sines, *cosines) = sin_cos(total);
+        }
+        for ((&sine, &cosine), _) in
+            sines.as_flattened().iter().zip(cosines.as_flattened()).zip(angles)
+        {
+            self.x += cosine;
+            self.y += sine;
         }
     }
 

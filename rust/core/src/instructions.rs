@@ -46,6 +46,9 @@ impl Dispatch {
     }
 
     /// Runs `work`, and all that is inlined into it, with these instructions.
+    ///
+    /// The closure itself must be `#[inline(always)]`: left to choose, the compiler may not inline
+    /// it, and then there is one version of it, for the baseline.
     #[inline(always)]
     pub fn run<R>(self, work: impl FnOnce() -> R) -> R {
         self.0.dispatch(work)

@@ -1,5 +1,6 @@
 //! Growing the tree: inserting points, splitting leaves, building lopsided parts anew.
 
+use super::search::larger;
 use super::{Kind, LEAF, NearestNeighbors, Node, ROOT};
 
 /// A subtree is built anew when one side holds more than this share of it.
@@ -169,7 +170,7 @@ impl NearestNeighbors {
 fn widen(bounds: &mut [f64], point: &[f64]) {
     let (low, high) = bounds.split_at_mut(point.len());
     for ((low, high), &x) in low.iter_mut().zip(high).zip(point) {
-        *low = low.min(x);
-        *high = high.max(x);
+        *low = -larger(-*low, -x);
+        *high = larger(*high, x);
     }
 }

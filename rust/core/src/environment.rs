@@ -12,7 +12,7 @@ pub trait Environment: fmt::Debug + Send + Sync {
     /// The dimension of S.
     fn effect_dim(&self) -> usize;
 
-    /// Writes the effect of `command` to `effect`; both have the right length.
+    /// Writes the effect of `command`, finite numbers, to `effect`; both have the right length.
     ///
     /// # Errors
     /// If the command is none that this environment takes.

@@ -3,7 +3,7 @@
 //! The log is the state. The k-d tree is brought up to date from it when somebody asks for a
 //! nearest effect.
 
-use crate::bounds::{Bounds, UniformStream};
+use crate::bounds::{Bounds, UniformStream, check_share};
 use crate::error::{Error, check_length, reserve};
 use crate::kdtree::NearestNeighbors;
 
@@ -89,11 +89,27 @@ impl History {
         self.effects.points()
     }
 
+    /// Whether commands are kept, or forgotten as soon as they are recorded.
+    #[must_use]
+    pub fn keeps_commands(&self) -> bool {
+        self.keeps_commands
+    }
+
+    /// Checks that so many more evaluations can be counted.
+    pub(crate) fn check_room(&self, n: usize) -> Result<(), Error> {
+        if self.len.saturating_add(n) < u32::MAX as usize {
+            return Ok(());
+        }
+        let must_be = "so few that all evaluations together are fewer than 2^32".to_owned();
+        Err(Error::Count { name: "n", must_be, got: n })
+    }
+
     /// Makes room for so many more evaluations, so that recording them moves nothing.
     ///
     /// # Errors
-    /// If there is no memory for them; nothing has changed then.
+    /// If there is no memory for them, or they would be 2^32 or more; nothing has changed then.
     pub fn reserve(&mut self, n: usize) -> Result<(), Error> {
+        self.check_room(n)?;
         if self.keeps_commands {
             reserve(&mut self.commands, n, self.motor_space.dim())?;
         }
@@ -114,7 +130,8 @@ impl History {
     ///
     /// # Errors
     /// If nothing was observed yet, the commands are not kept, `goal` is not a finite point of
-    /// the effects' dimension, or `command` has not the dimension of M.
+    /// the effects' dimension, `d` is not in [0, 1], or `command` has not the dimension of M;
+    /// nothing is drawn then.
     pub fn inverse(
         &mut self,
         goal: &[f64],
@@ -123,6 +140,7 @@ impl History {
         command: &mut [f64],
     ) -> Result<(), Error> {
         check_length("command", command, self.motor_space.dim())?;
+        check_share("d", d)?;
         self.effects.file_all();
         let (_, index) = self.effects.nearest(goal)?;
         let m = self.motor_space.dim();

@@ -9,7 +9,7 @@ mod paths;
 
 use crate::bounds::UniformStream;
 use crate::environment::Environment;
-use crate::error::{Error, check_length, reserve};
+use crate::error::{Error, check_finite, check_length, reserve};
 use crate::history::History;
 pub use composition::Composition;
 use composition::Part;
@@ -55,7 +55,8 @@ impl Exploration {
     ///
     /// # Errors
     /// If the environment does not lead from the motor space to the effects of the history, a
-    /// strategy cannot explore it, or there is no part `root`.
+    /// strategy cannot explore it, or needs commands that the history does not keep, or there is
+    /// no part `root`.
     pub fn new(
         environment: Box<dyn Environment>,
         history: History,
@@ -67,6 +68,9 @@ impl Exploration {
         let effect = vec![0.0; environment.effect_dim()];
         check_length("motor_space", history.motor_space().low(), command.len())?;
         check_length("effect", &effect, history.effect_dim())?;
+        if strategies.needs_commands() && !history.keeps_commands() {
+            return Err(Error::Empty { name: "commands" });
+        }
         let parts = strategies.parts;
         let mut gains = Gains::default();
         let mut measures = Vec::with_capacity(parts.len());
@@ -111,8 +115,11 @@ impl Exploration {
     /// Makes so many more steps; all randomness comes from `draws`.
     ///
     /// # Errors
-    /// If the environment refuses a command; the steps before are made then.
+    /// If `n` is more than can be logged; nothing has changed then. Or if the environment refuses a
+    /// command, or a part of one's own breaks its promise: the steps before are made then, and
+    /// of the one that failed nothing is left but the draws and choices made for it.
     pub fn run(&mut self, n: usize, draws: &mut dyn UniformStream) -> Result<(), Error> {
+        self.history.check_room(n)?;
         (0..n).try_for_each(|_| self.step(draws))
     }
 
@@ -130,7 +137,9 @@ impl Exploration {
 
     fn step(&mut self, draws: &mut dyn UniformStream) -> Result<(), Error> {
         let proposer = self.propose(draws)?;
+        self.history.motor_space().check("command", &self.command)?;
         self.environment.effect_into(&self.command, &mut self.effect)?;
+        check_finite("effect", &self.effect, self.effect.len())?;
         if let Part::Composite(outermost, _) = &self.parts[self.paths.part(ROOT)]
             && let Some(diversities) = outermost.diversities()
         {
@@ -149,6 +158,10 @@ impl Exploration {
             match &mut self.parts[self.paths.part(node)] {
                 Part::Composite(composite, parts) => {
                     let index = composite.choose(draws);
+                    if index >= parts.len() {
+                        let must_be = format!("less than the number of parts, {}", parts.len());
+                        return Err(Error::Count { name: "choice", must_be, got: index });
+                    }
                     node = self.paths.child(node, index, parts);
                 }
                 Part::Strategy(strategy) => {

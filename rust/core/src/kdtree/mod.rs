@@ -155,9 +155,8 @@ impl NearestNeighbors {
     /// Makes room for so many more points.
     ///
     /// # Errors
-    /// If there is no memory for them, or they would be more than 2^32 - 1 in all.
+    /// If there is no memory for them.
     pub(crate) fn reserve(&mut self, n: usize) -> Result<(), Error> {
-        self.check_room(n)?;
         reserve(&mut self.points, n, self.dim)
     }
 

@@ -54,7 +54,7 @@ pub trait Composite: fmt::Debug + Send + Sync {
     /// How many parts it chooses among: at least one.
     fn parts(&self) -> usize;
 
-    /// The part that is to propose next.
+    /// The part that is to propose next, less than [`parts`](Self::parts).
     fn choose(&mut self, draws: &mut dyn UniformStream) -> usize;
 
     /// The empty union of balls by which it wants to be told of gains; None if it does not.
@@ -68,7 +68,7 @@ pub trait Composite: fmt::Debug + Send + Sync {
         let _ = (part, gain);
     }
 
-    /// What a bandit believes of each of its parts; None for all others.
+    /// What a bandit believes of each of its parts, always as many numbers; None for all others.
     fn diversities(&self) -> Option<&[f64]> {
         None
     }

@@ -6,6 +6,9 @@ use crate::coverage::Coverage;
 use crate::error::Error;
 use crate::strategies::{Composite, proportionally};
 
+/// The longest window: its gains are kept one by one.
+const LONGEST: usize = 1_000_000;
+
 /// ADAPT(w, tau, alpha): with probability alpha a part uniformly at random, otherwise in
 /// proportion to the mean gain of its last w effects. Two draws.
 #[derive(Debug, Clone)]
@@ -21,8 +24,8 @@ impl Adapt {
     /// whole ball come first in each window.
     ///
     /// # Errors
-    /// If there are no parts, `measure` holds effects, `window` is 0, `alpha` is not in [0, 1], or
-    /// the head start is longer than the window.
+    /// If there are no parts, `measure` holds effects, `window` is not from 1 to a million,
+    /// `alpha` is not in [0, 1], or the head start is longer than the window.
     pub fn new(
         parts: usize,
         measure: Coverage,
@@ -37,8 +40,8 @@ impl Adapt {
         if !measure.is_empty() {
             return Err(count("measure", "empty", measure.len()));
         }
-        if window == 0 {
-            return Err(count("window", "at least 1", window));
+        if !(1..=LONGEST).contains(&window) {
+            return Err(count("window", "from 1 to 1000000", window));
         }
         if !(0.0..=1.0).contains(&alpha) {
             return Err(Error::Number { name: "alpha", must_be: "in [0, 1]", got: alpha });

@@ -14,21 +14,26 @@ impl Mixture {
     /// Of parts with these weights.
     ///
     /// # Errors
-    /// If there is none, or one is negative or not finite.
+    /// If there is none, one is negative or not finite, or their sum is not positive and finite.
     pub fn new(weights: Vec<f64>) -> Result<Self, Error> {
         if weights.is_empty() {
             return Err(Error::Empty { name: "weights" });
         }
         check_finite("weights", &weights, weights.len())?;
-        match weights.iter().position(|&weight| weight < 0.0) {
-            None => Ok(Self { weights }),
-            Some(index) => Err(Error::Element {
+        if let Some(index) = weights.iter().position(|&weight| weight < 0.0) {
+            return Err(Error::Element {
                 name: "weights",
                 at: format!("[{index}]"),
                 must_be: "not negative".to_owned(),
                 got: weights[index],
-            }),
+            });
         }
+        let total = total_of(weights.iter().copied());
+        if !(0.0 < total && total < f64::INFINITY) {
+            let must_be = "positive and finite";
+            return Err(Error::Number { name: "the sum of weights", must_be, got: total });
+        }
+        Ok(Self { weights })
     }
 }
 
@@ -42,13 +47,15 @@ impl Composite for Mixture {
     }
 }
 
+/// The sum in plain order, beginning with 0.
+fn total_of(weights: impl Iterator<Item = f64>) -> f64 {
+    weights.fold(0.0, |total, weight| total + weight)
+}
+
 /// An index with probability proportional to its weight; uniformly if all are 0. `u` is uniform
 /// in [0, 1).
 pub(crate) fn proportionally(weights: impl ExactSizeIterator<Item = f64> + Clone, u: f64) -> usize {
-    let mut total = 0.0;
-    for weight in weights.clone() {
-        total += weight;
-    }
+    let total = total_of(weights.clone());
     if total <= 0.0 {
         return (u * weights.len() as f64) as usize;
     }

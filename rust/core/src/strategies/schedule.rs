@@ -18,8 +18,11 @@ impl Schedule {
     /// part `phase`, which has `proposed` so many commands already.
     ///
     /// # Errors
-    /// If there is no such part.
+    /// If a part has no steps, or there is no part `phase`.
     pub fn new(steps: Vec<u64>, phase: usize, proposed: u64) -> Result<Self, Error> {
+        if steps.contains(&0) {
+            return Err(Error::Count { name: "steps", must_be: "at least 1 each".into(), got: 0 });
+        }
         if phase > steps.len() {
             let must_be = format!("one of {} parts", steps.len() + 1);
             return Err(Error::Count { name: "phase", must_be, got: phase });

@@ -3,6 +3,7 @@
 
 #![allow(dead_code, reason = "each test takes the part that it needs")]
 
+pub mod adapt;
 pub mod space;
 pub mod sums;
 

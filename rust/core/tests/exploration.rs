@@ -1,0 +1,219 @@
+//! The engine, as a program in Rust uses it: it makes of ADAPT what the paper says, and keeps its
+//! laws whatever strategies are made of.
+
+mod oracles;
+mod runs;
+
+use std::collections::BTreeSet;
+use std::sync::{Arc, Mutex};
+
+use divbandit_core::bandits::{Adapt, GainWindow};
+use divbandit_core::exploration::Log;
+use divbandit_core::strategies::{Composite, MotorBabbling, Schedule};
+use divbandit_core::{Composition, Coverage, Exploration, UniformStream};
+use oracles::{Stream, fixed};
+use proptest::prelude::*;
+use runs::{LIMIT, adapt, arm, bits, explored, go, goal_babbling, history, mixed, nested, ready};
+
+proptest! {
+    #![proptest_config(fixed(60))]
+
+    /// Step by step, bit by bit; only an effect and a gain are the kernels' own.
+    #[test]
+    fn adapt_is_as_in_the_paper(
+        m in 1..8_usize, d in 0.0..1.0_f64, tau in 0.01..0.3_f64, window in 1..60_usize,
+        alpha in 0.0..1.0_f64, head_start in 0..3_usize, seed: u64,
+    ) {
+        let head_start = head_start.min(window);
+        let plain = oracles::adapt::Adapt { m, limit: LIMIT, d, tau, window, alpha, head_start };
+        let f = |command: &[f64]| arm(m).effect(command).unwrap().to_vec();
+        let steps = plain.explore(300, &mut Stream(seed), f);
+
+        let mut strategies = Composition::default();
+        let parts = vec![strategies.add(MotorBabbling), strategies.add(goal_babbling(d))];
+        let measure = Coverage::new(tau, 2).unwrap();
+        let bandit = Adapt::new(2, measure, window, alpha, head_start).unwrap();
+        let root = strategies.compose(bandit, parts).unwrap();
+        let mut run =
+            Exploration::new(Box::new(arm(m)), history(m, true), strategies, root).unwrap();
+        go(&mut run, 300, &mut Stream(seed));
+        let log = run.into_log();
+        prop_assert_eq!(log.depth, 1);
+        for (i, step) in steps.iter().enumerate() {
+            prop_assert_eq!(log.paths[i], step.choice as i64, "step {}", i);
+            prop_assert_eq!(bits(&log.diversities[2 * i..2 * i + 2]), bits(&step.diversities));
+            prop_assert_eq!(bits(&log.commands[m * i..m * (i + 1)]), bits(&step.command));
+            prop_assert_eq!(bits(&log.effects[2 * i..2 * i + 2]), bits(&step.effect));
+        }
+    }
+}
+
+#[test]
+fn a_path_tells_who_chose_at_every_level() {
+    let mut strategies = Composition::default();
+    let motor = strategies.add(MotorBabbling);
+    let innermost = mixed(&mut strategies, vec![motor, motor, motor]);
+    let middle = mixed(&mut strategies, vec![innermost, motor]);
+    let root = mixed(&mut strategies, vec![motor, middle]);
+    let log = explored(strategies, root, 200);
+    assert_eq!((log.depth, log.paths.len()), (3, 600));
+    assert!(log.diversities.is_empty());
+    let mut stream = Stream(1);
+    let mut seen = BTreeSet::new();
+    for row in log.paths.chunks(3) {
+        // The very draws: a choice each, then one a joint.
+        let mut choose = |n: usize| stream.below(n) as i64;
+        let expected = match choose(2) {
+            0 => [0, -1, -1],
+            _ => match choose(2) {
+                0 => [1, 0, choose(3)],
+                _ => [1, 1, -1],
+            },
+        };
+        (0..3).for_each(|_| _ = stream.unit());
+        assert_eq!(row, expected);
+        seen.insert(expected);
+    }
+    assert_eq!(seen.len(), 5);
+}
+
+#[test]
+fn a_path_is_as_long_as_the_longest_that_was_taken() {
+    for (n, depth) in [(0, 0), (5, 1), (6, 2)] {
+        let mut strategies = Composition::default();
+        let motor = strategies.add(MotorBabbling);
+        let inner = mixed(&mut strategies, vec![motor, motor]);
+        let schedule = Schedule::new(vec![5], 0, 0).unwrap();
+        let root = strategies.compose(schedule, vec![motor, inner]).unwrap();
+        let log = explored(strategies, root, n);
+        assert_eq!((log.depth, log.paths.len()), (depth, n * depth));
+    }
+    let mut strategies = Composition::default();
+    let root = strategies.add(MotorBabbling);
+    let log = explored(strategies, root, 5);
+    assert_eq!((log.depth, log.paths, log.effects.len()), (0, vec![], 10));
+}
+
+/// The schedule is a part of the root twice, and of another mixture once more: it counts on.
+#[test]
+fn a_part_of_several_composites_is_one_part() {
+    let mut strategies = Composition::default();
+    let motor = strategies.add(MotorBabbling);
+    let steps = Schedule::new(vec![4, 3], 0, 0).unwrap();
+    let schedule = strategies.compose(steps, vec![motor; 3]).unwrap();
+    let inner = mixed(&mut strategies, vec![schedule, motor]);
+    let root = mixed(&mut strategies, vec![schedule, inner, schedule]);
+    let log = explored(strategies, root, 100);
+    let of_schedule = |row: &[i64]| match row[..] {
+        [0 | 2, phase, -1] => Some(phase),
+        [1, 0, phase] => Some(phase),
+        [1, 1, -1] => None,
+        _ => panic!("{row:?}"),
+    };
+    let phases: Vec<i64> = log.paths.chunks(log.depth).filter_map(of_schedule).collect();
+    let expected = [[0; 4].as_slice(), &[1; 3], &vec![2; phases.len() - 7]].concat();
+    assert_eq!(phases, expected);
+    for first in 0..3 {
+        assert!(log.paths.chunks(3).any(|row| row[0] == first));
+    }
+}
+
+/// What a bandit believed after each effect that it was told of.
+#[derive(Debug)]
+struct Spy(Adapt, Arc<Mutex<Vec<(usize, f64)>>>);
+
+impl Composite for Spy {
+    fn parts(&self) -> usize {
+        self.0.parts()
+    }
+
+    fn choose(&mut self, draws: &mut dyn UniformStream) -> usize {
+        self.0.choose(draws)
+    }
+
+    fn measure(&self) -> Option<&Coverage> {
+        self.0.measure()
+    }
+
+    fn credit(&mut self, part: usize, gain: f64) {
+        self.1.lock().unwrap().push((part, gain));
+        self.0.credit(part, gain);
+    }
+}
+
+#[test]
+fn a_nested_bandit_is_told_of_its_own_effects_measured_against_all() {
+    let told = Arc::default();
+    let mut strategies = Composition::default();
+    let motor = strategies.add(MotorBabbling);
+    let goal = strategies.add(goal_babbling(0.05));
+    let spy = Spy(adapt(2, 0.1, 5), Arc::clone(&told));
+    let inner = strategies.compose(spy, vec![motor, goal]).unwrap();
+    let root = mixed(&mut strategies, vec![inner, motor]);
+    let log = explored(strategies, root, 300);
+    let mut coverage = Coverage::new(0.1, 2).unwrap();
+    let mut expected = Vec::new();
+    for (row, effect) in log.paths.chunks(2).zip(log.effects.chunks(2)) {
+        let gain = coverage.add(effect).unwrap();
+        if row[0] == 0 {
+            expected.push((row[1] as usize, gain));
+        }
+    }
+    assert!((100..200).contains(&expected.len()));
+    assert_eq!(*told.lock().unwrap(), expected);
+}
+
+/// Two bandits with other radii, one in the other: each is told in its own measure.
+#[test]
+fn the_outermost_bandit_believes_the_means_of_its_gains() {
+    let (strategies, root) = nested();
+    let log = explored(strategies, root, 300);
+    let mut coverage = Coverage::new(0.05, 2).unwrap();
+    let mut windows = [0, 1].map(|_| GainWindow::new(10, coverage.ball(), 1));
+    for (i, effect) in log.effects.chunks(2).enumerate() {
+        let believed = [windows[0].mean(), windows[1].mean()];
+        assert_eq!(bits(&log.diversities[2 * i..2 * i + 2]), bits(&believed), "step {i}");
+        windows[log.paths[i * log.depth] as usize].add(coverage.add(effect).unwrap());
+    }
+}
+
+#[test]
+fn halves_make_a_whole_and_no_steps_make_nothing() {
+    let (strategies, root) = nested();
+    let whole = explored(strategies, root, 200);
+    let (strategies, root) = nested();
+    let mut run = ready(strategies, root);
+    let mut stream = Stream(1);
+    run.run(0, &mut || -> f64 { panic!("nothing is to be drawn") }).unwrap();
+    assert!(run.is_empty());
+    for n in [1, 0, 99, 100] {
+        run.reserve(n).unwrap();
+        go(&mut run, n, &mut stream);
+    }
+    assert_eq!(run.len(), 200);
+    assert_eq!(run.into_log(), whole);
+    let (strategies, root) = nested();
+    let empty = ready(strategies, root).into_log();
+    let nothing = (vec![], vec![], vec![], vec![]);
+    assert_eq!((empty.commands, empty.effects, empty.paths, empty.diversities), nothing);
+}
+
+#[test]
+fn commands_need_not_be_kept() {
+    let log = |keep_commands| {
+        let mut strategies = Composition::default();
+        let parts = vec![strategies.add(MotorBabbling); 2];
+        let root = strategies.compose(adapt(2, 0.1, 9), parts).unwrap();
+        assert!(!strategies.needs_commands());
+        let history = history(3, keep_commands);
+        let mut run = Exploration::new(Box::new(arm(3)), history, strategies, root).unwrap();
+        run.reserve(100).unwrap();
+        go(&mut run, 100, &mut Stream(1));
+        assert_eq!(run.len(), 100);
+        run.into_log()
+    };
+    let (with, without) = (log(true), log(false));
+    assert_eq!(with.commands.len(), 300);
+    assert!(without.commands.is_empty());
+    assert_eq!(Log { commands: vec![], ..with }, without);
+}

@@ -3,10 +3,14 @@
 //! They follow the way data flows through an exploration (Benureau and Oudeyer,
 //! ICDL-EpiRob 2015):
 //!
-//! 1. [`PlanarArm`] turns a motor command into an effect;
+//! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect;
 //! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
 //! 3. [`inverse()`](inverse()) turns that goal into the next motor command, inside its [`Bounds`];
-//! 4. [`Coverage`] says how much an effect has newly covered: its gain.
+//! 4. [`strategies`] propose commands in this and other ways, seeing the [`History`] of all that
+//!    was observed;
+//! 5. [`Coverage`] says how much an effect has newly covered: its gain;
+//! 6. [`bandits`] let one of several strategies propose, in proportion to the gains of each;
+//! 7. [`exploration`] is the loop of all these, run by an [`Exploration`].
 //!
 //! Everything that decides a trajectory is made of additions, multiplications,
 //! divisions and square roots in a fixed order, so that a seed gives the same bits

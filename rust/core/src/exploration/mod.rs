@@ -2,6 +2,40 @@
 //!
 //! It does what the loop in Python does, draw for draw and bit for bit: that one is the
 //! specification, and tests hold this one equal to it.
+//!
+//! ```
+//! use divbandit_core::bandits::Adapt;
+//! use divbandit_core::strategies::{GoalBabbling, MotorBabbling};
+//! use divbandit_core::{Bounds, Composition, Coverage, Exploration, History, PlanarArm};
+//!
+//! # fn main() -> Result<(), divbandit_core::Error> {
+//! let arm = PlanarArm::new(20, 2.6)?;
+//! let motor_space = Bounds::new(vec![-2.6; 20], vec![2.6; 20])?;
+//! let goals = Bounds::new(vec![-1.0; 2], vec![1.0; 2])?;
+//! let history = History::new(motor_space, Some(goals), 2, true)?;
+//!
+//! let mut strategies = Composition::default();
+//! let motor = strategies.add(MotorBabbling);
+//! let goal = strategies.add(GoalBabbling::new(0.05, None)?);
+//! let adapt = Adapt::new(2, Coverage::new(0.02, 2)?, 50, 0.1, 1)?;
+//! let root = strategies.compose(adapt, vec![motor, goal])?;
+//!
+//! // Any generator will do; this is Marsaglia's xorshift.
+//! let mut state = 1_u64;
+//! let mut draws = || {
+//!     state ^= state << 13;
+//!     state ^= state >> 7;
+//!     state ^= state << 17;
+//!     (state >> 11) as f64 / (1_u64 << 53) as f64
+//! };
+//! let mut run = Exploration::new(Box::new(arm), history, strategies, root)?;
+//! run.run(1000, &mut draws)?;
+//! let log = run.into_log();
+//! assert_eq!((log.commands.len(), log.effects.len()), (20_000, 2000));
+//! assert_eq!((log.paths.len(), log.diversities.len()), (1000, 2000));
+//! # Ok(())
+//! # }
+//! ```
 
 mod composition;
 mod gains;

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex};
 
 use divbandit_core::bandits::{Adapt, GainWindow};
 use divbandit_core::exploration::Log;
-use divbandit_core::strategies::{Composite, MotorBabbling, Schedule};
+use divbandit_core::strategies::{Composite, Mixture, MotorBabbling, Schedule};
 use divbandit_core::{Composition, Coverage, Exploration, UniformStream};
 use oracles::{Stream, fixed};
 use proptest::prelude::*;
@@ -163,25 +163,61 @@ fn a_nested_bandit_is_told_of_its_own_effects_measured_against_all() {
     assert_eq!(*told.lock().unwrap(), expected);
 }
 
-/// Two bandits with other radii, one in the other: each is told in its own measure.
+/// Two bandits, one in the other: with other radii each is told in its own measure, with the same
+/// one both are told the same.
 #[test]
 fn the_outermost_bandit_believes_the_means_of_its_gains() {
-    let (strategies, root) = nested();
-    let log = explored(strategies, root, 300);
-    let mut coverage = Coverage::new(0.05, 2).unwrap();
-    let mut windows = [0, 1].map(|_| GainWindow::new(10, coverage.ball(), 1));
-    for (i, effect) in log.effects.chunks(2).enumerate() {
-        let believed = [windows[0].mean(), windows[1].mean()];
-        assert_eq!(bits(&log.diversities[2 * i..2 * i + 2]), bits(&believed), "step {i}");
-        windows[log.paths[i * log.depth] as usize].add(coverage.add(effect).unwrap());
+    for inner in [0.1, 0.05] {
+        let (strategies, root) = nested(0.05, inner);
+        let log = explored(strategies, root, 300);
+        let mut coverage = Coverage::new(0.05, 2).unwrap();
+        let mut windows = [0, 1].map(|_| GainWindow::new(10, coverage.ball(), 1));
+        for (i, effect) in log.effects.chunks(2).enumerate() {
+            let believed = [windows[0].mean(), windows[1].mean()];
+            assert_eq!(bits(&log.diversities[2 * i..2 * i + 2]), bits(&believed), "step {i}");
+            windows[log.paths[i * log.depth] as usize].add(coverage.add(effect).unwrap());
+        }
+    }
+}
+
+/// Draws that lie on an edge belong to what begins there; what has no weight is never chosen.
+#[test]
+fn a_draw_on_an_edge_goes_up() {
+    let below = |x: f64| x.next_down();
+    for (weights, draw, expected) in [
+        (vec![1.0, 1.0], 0.5, 1),
+        (vec![1.0, 1.0], below(0.5), 0),
+        (vec![1.0, 2.0, 1.0], 0.25, 1),
+        (vec![1.0, 2.0, 1.0], 0.75, 2),
+        (vec![0.0, 1.0, 0.0], 0.0, 1),
+        (vec![0.0, 1.0, 0.0], below(1.0), 1),
+        (vec![1.0, 0.0, 1.0], 0.5, 2),
+        (vec![0.1; 10], below(1.0), 9),
+    ] {
+        let mixture = || Mixture::new(weights.clone()).unwrap();
+        assert_eq!(mixture().choose(&mut || draw), expected, "{weights:?} {draw}");
+    }
+    // ADAPT's first draw says whether the second one is uniform; nobody has gained anything yet.
+    let bandit = || Adapt::new(3, Coverage::new(0.1, 2).unwrap(), 5, 0.5, 0).unwrap();
+    let chosen = |mut bandit: Adapt, draws: [f64; 2]| {
+        let mut draws = draws.into_iter();
+        bandit.choose(&mut || draws.next().unwrap())
+    };
+    let mut one_gained = bandit();
+    one_gained.credit(1, 1.0);
+    for (first, second, expected) in
+        [(below(0.5), 0.0, 0), (0.5, 0.0, 1), (below(0.5), below(1.0), 2), (0.5, below(1.0), 1)]
+    {
+        assert_eq!(chosen(one_gained.clone(), [first, second]), expected);
+        assert_eq!(chosen(bandit(), [first, second]), (3.0 * second) as usize);
     }
 }
 
 #[test]
 fn halves_make_a_whole_and_no_steps_make_nothing() {
-    let (strategies, root) = nested();
+    let (strategies, root) = nested(0.05, 0.1);
     let whole = explored(strategies, root, 200);
-    let (strategies, root) = nested();
+    let (strategies, root) = nested(0.05, 0.1);
     let mut run = ready(strategies, root);
     let mut stream = Stream(1);
     run.run(0, &mut || -> f64 { panic!("nothing is to be drawn") }).unwrap();
@@ -192,7 +228,7 @@ fn halves_make_a_whole_and_no_steps_make_nothing() {
     }
     assert_eq!(run.len(), 200);
     assert_eq!(run.into_log(), whole);
-    let (strategies, root) = nested();
+    let (strategies, root) = nested(0.05, 0.1);
     let empty = ready(strategies, root).into_log();
     let nothing = (vec![], vec![], vec![], vec![]);
     assert_eq!((empty.commands, empty.effects, empty.paths, empty.diversities), nothing);

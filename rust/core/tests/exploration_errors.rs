@@ -17,7 +17,7 @@ use runs::{LIMIT, arm, cube, explored, go, goal_babbling, history, message, nest
 
 #[test]
 fn goal_babbling_without_commands_is_refused() {
-    let (strategies, root) = nested();
+    let (strategies, root) = nested(0.05, 0.1);
     assert!(strategies.needs_commands());
     let refused = Exploration::new(Box::new(arm(3)), history(3, false), strategies, root);
     assert_eq!(message(refused), "commands must not be empty");
@@ -30,9 +30,9 @@ fn goal_babbling_without_commands_is_refused() {
 #[test]
 fn room_for_too_many_steps_is_refused_and_nothing_lost() {
     for too_many in [u32::MAX as usize, usize::MAX / 16, usize::MAX] {
-        let (strategies, root) = nested();
+        let (strategies, root) = nested(0.05, 0.1);
         let whole = explored(strategies, root, 100);
-        let (strategies, root) = nested();
+        let (strategies, root) = nested(0.05, 0.1);
         let mut run = ready(strategies, root);
         let mut stream = Stream(1);
         go(&mut run, 50, &mut stream);
@@ -163,7 +163,7 @@ fn what_an_environment_breaks_leaves_the_steps_before() {
         (Ok(f64::NAN), format!("{not_finite} NaN")),
         (Ok(f64::NEG_INFINITY), format!("{not_finite} -inf")),
     ] {
-        let (strategies, root) = nested();
+        let (strategies, root) = nested(0.05, 0.1);
         let environment = Box::new(Breaking(AtomicUsize::new(0), breaks));
         let mut run = Exploration::new(environment, history(3, true), strategies, root).unwrap();
         let mut stream = Stream(1);
@@ -173,7 +173,7 @@ fn what_an_environment_breaks_leaves_the_steps_before() {
         go(&mut run, 20, &mut stream);
         assert_eq!(run.len(), 29);
         let log = run.into_log();
-        let (strategies, root) = nested();
+        let (strategies, root) = nested(0.05, 0.1);
         let whole = explored(strategies, root, 9);
         assert_eq!(log.commands[..27], whole.commands);
         assert_eq!(log.effects[..18], whole.effects);

@@ -53,13 +53,13 @@ pub fn explored(strategies: Composition, root: usize, n: usize) -> Log {
     run.into_log()
 }
 
-/// ADAPT over motor babbling and an inner ADAPT over motor and goal babbling.
-pub fn nested() -> (Composition, usize) {
+/// ADAPT over motor babbling and an inner ADAPT over motor and goal babbling, with their radii.
+pub fn nested(outer: f64, inner: f64) -> (Composition, usize) {
     let mut strategies = Composition::default();
     let motor = strategies.add(MotorBabbling);
     let goal = strategies.add(goal_babbling(0.05));
-    let inner = strategies.compose(adapt(2, 0.1, 5), vec![motor, goal]).unwrap();
-    let root = strategies.compose(adapt(2, 0.05, 10), vec![motor, inner]).unwrap();
+    let inner = strategies.compose(adapt(2, inner, 5), vec![motor, goal]).unwrap();
+    let root = strategies.compose(adapt(2, outer, 10), vec![motor, inner]).unwrap();
     (strategies, root)
 }
 

@@ -81,8 +81,17 @@ impl Bounds {
     /// If it does not, or has another length.
     pub fn check(&self, name: &'static str, point: &[f64]) -> Result<(), Error> {
         check_length(name, point, self.dim())?;
+        // One pass without an early exit is vector code; the culprit is looked for only when
+        // there is one. Written so that a NaN is outside.
+        let corners = self.low.iter().zip(&self.high);
+        if point
+            .iter()
+            .zip(corners)
+            .fold(true, |all, (x, (low, high))| all & (low <= x) & (x <= high))
+        {
+            return Ok(());
+        }
         for (j, ((&low, &high), &x)) in self.low.iter().zip(&self.high).zip(point).enumerate() {
-            // Written so that a NaN is outside.
             if !(low <= x && x <= high) {
                 return Err(Error::Element {
                     name,

@@ -66,13 +66,12 @@ def main():
     yardstick = plain_kinematics(size)
     engines = [engine(d, size) for d in setting.PERTURBATIONS]
     several = [threads(d, size) for d in setting.PERTURBATIONS]
-    long = long_engine(size)
+    long = [long_engine(d, size) for d in setting.PERTURBATIONS]
     rows = [
         yardstick,
         *engines,
         *(row for row, _ in several),
-        long,
-        long_engine(size, keep_commands=False),
+        *long,
         *(python_loop(d, size) for d in setting.PERTURBATIONS),
         *draws(size),
         pyribs(size),
@@ -85,8 +84,9 @@ def main():
     print(f"\nMedian over {size.seeds} seeds of the best of {size.repeat}; long runs: once.")
     for d, (_, gain) in zip(setting.PERTURBATIONS, several, strict=True):
         print(f"d = {d}: {THREADS} threads do {gain:.2f} times what one does.")
-    growth = long.step / engines[1].step
-    print(f"d = {MIDDLE}: a step of {size.long} costs {growth:.2f} times one of {size.n}.")
+    for d, one, other in zip(setting.PERTURBATIONS, engines, long, strict=True):
+        growth = other.step / one.step
+        print(f"d = {d}: a step of {size.long} costs {growth:.2f} times one of {size.n}.")
 
 
 def fastest(work, *, repeat):
@@ -105,8 +105,8 @@ def over_seeds(work, size):
     return statistics.median(seconds for seconds, _ in timed) / size.n, [run for _, run in timed]
 
 
-def explored(d, n, seed, *, by="rust", keep_commands=True):
-    return db.explore(ARM, setting.adapt(d), n, rng=seed, engine=by, keep_commands=keep_commands)
+def explored(d, n, seed, *, by="rust"):
+    return db.explore(ARM, setting.adapt(d), n, rng=seed, engine=by)
 
 
 def median_diversity(runs):
@@ -149,12 +149,9 @@ def all_seeds(pool, d, size):
     return list(pool.map(lambda seed: explored(d, size.n, seed), range(size.seeds)))
 
 
-def long_engine(size, *, keep_commands=True):
-    seconds, run = fastest(
-        lambda: explored(MIDDLE, size.long, 0, keep_commands=keep_commands), repeat=1
-    )
-    kept = "" if keep_commands else ", without its commands"
-    work = f"exploration in Rust, d = {MIDDLE}, n = {size.long}{kept}"
+def long_engine(d, size):
+    seconds, run = fastest(lambda: explored(d, size.long, 0), repeat=1)
+    work = f"exploration in Rust, d = {d}, n = {size.long}"
     return Row(work, seconds / size.long, median_diversity([run]))
 
 

@@ -20,10 +20,10 @@ mod search;
 
 use crate::error::{Error, check_finite, check_length, check_rows, reserve};
 
-/// Points a leaf holds before it splits. With 8, 16, 32 and 64, inserting one of 10,000 uniform
-/// points in the plane took 151, 127, 95 and 87 ns, a query 114, 118, 114 and 141 ns (bench
-/// `kdtree`).
-const LEAF: usize = 32;
+/// Points a leaf holds before it splits. With 16, 32, 48 and 64, inserting one of the 10,000
+/// effects of ADAPT with d = 0.05 took 185, 112, 90 and 78 ns, its searches 174, 178, 173 and 180
+/// ns a step; with a million 427, 326, 256 and 246, and 343, 370, 351 and 301 (bench `exploration`).
+const LEAF: usize = 48;
 
 /// Points in R^dim, to be searched for the nearest.
 #[derive(Debug, Clone)]

@@ -13,8 +13,8 @@ from divbandit.exploration.explore import explore_between
 SCRIPT = """
 import divbandit as db
 adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
-print("begun", flush=True)
 try:
+    print("begun", flush=True)
     db.explore(db.PlanarArm(20), adapt, 10**8, rng=0, engine={engine!r}, keep_commands=False)
 except KeyboardInterrupt:
     print("interrupted", flush=True)

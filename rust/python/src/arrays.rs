@@ -12,6 +12,17 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBool, PyFloat, PyInt, PyType};
 
+/// Loads NumPy's C interface, with what Python code that takes.
+///
+/// It would be loaded at the first use of an array, and a Ctrl-C just then would be a panic.
+pub(crate) fn prepare(py: Python<'_>) -> PyResult<()> {
+    for module in ["numpy.lib", "numpy.random", "numpy.ma", "numbers"] {
+        py.import(module)?;
+    }
+    PyArray1::<f64>::zeros(py, 0, false).try_readwrite()?;
+    Ok(())
+}
+
 /// A borrowed, C-contiguous array of float64.
 pub(crate) struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
 

@@ -24,6 +24,7 @@ use pyo3::prelude::*;
 /// and a generator's own lock is held while it is drawn from.
 #[pymodule(gil_used = false)]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    arrays::prepare(module.py())?;
     module.add_class::<arm::PyPlanarArm>()?;
     module.add_class::<bounds::PyBounds>()?;
     module.add_class::<coverage::PyCoverage>()?;

@@ -6,7 +6,7 @@
 use numpy::{
     PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
-use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyException, PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -48,9 +48,11 @@ impl<'py> Floats<'py> {
             return Err(refused("a masked array".to_owned()));
         }
         let numpy = py.import(intern!(py, "numpy"))?;
-        let array = numpy
-            .call_method1(intern!(py, "asarray"), (value,))
-            .map_err(|_| refused(kind(value)))?;
+        let array = numpy.call_method1(intern!(py, "asarray"), (value,)).map_err(|error| {
+            // A Ctrl-C, for one, says nothing of the value.
+            let of_value = error.is_instance_of::<PyException>(py);
+            if of_value { refused(kind(value)) } else { error }
+        })?;
         let dtype = array.getattr(intern!(py, "dtype"))?;
         let dtype_kind: String = dtype.getattr(intern!(py, "kind"))?.extract()?;
         if !matches!(dtype_kind.as_str(), "f" | "i" | "u") {

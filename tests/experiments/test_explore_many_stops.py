@@ -1,5 +1,6 @@
 """explore_many: whatever ends it early, all that is under way stops and no thread is left."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -267,3 +268,29 @@ threading.Thread(target=lambda: list(db.explore_many([task] * 3, jobs=2)), daemo
 begun.acquire()
 """
     assert ended(script)[:2] == (0, [])
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_a_fork_has_none_of_the_threads():
+    """It is told so rather than left waiting, and the process that was forked goes on."""
+    script = """
+import os, signal, warnings
+warnings.simplefilter("ignore")  # to fork with threads is what this is about
+many = db.explore_many([quick, task, task], jobs=2)
+next(many)
+begun.acquire()
+child = os.fork()
+if child == 0:
+    signal.alarm(20)
+    try:
+        list(many)
+    except RuntimeError as error:
+        print(error, flush=True)
+    fresh = db.explore_many([quick] * 3, jobs=2)
+    print(len(list(fresh)), flush=True)
+    os._exit(0)
+print(os.waitpid(child, 0)[1])
+"""
+    code, out, errors = ended(script)
+    assert (code, out[1:], errors) == (0, ["3", "0"], "")
+    assert "forked" in out[0]

@@ -71,7 +71,14 @@ class Workers(Generic[Item, Result]):
             self._start(self._work)
 
     def get(self) -> Result:
-        """Wait until one more is done, and return or raise what came of it."""
+        """Wait until one more is done, and return or raise what came of it.
+
+        Raises
+        ------
+        RuntimeError
+            If nobody works any more: the program is exiting, or this is a fork of the process
+            whose threads did.
+        """
         self._user = threading.current_thread()
         while True:
             try:
@@ -79,6 +86,10 @@ class Workers(Generic[Item, Result]):
             except Empty:
                 if self._stop.is_set():
                     raise RuntimeError("nothing more is done: the program is exiting") from None
+                if not any(thread.is_alive() for thread in self._threads):
+                    raise RuntimeError(
+                        "nothing more is done: the threads are those of the process that was forked"
+                    ) from None
                 continue
             self._open -= 1
             return done.result()

@@ -78,7 +78,8 @@ class Description:
         Raises
         ------
         NotBuiltInError
-            If it, or a part of it, is not built in.
+            If it, or a part of it, is not built in, or has attributes that its class refuses, set
+            by hand: Python says what comes of them.
 
         Examples
         --------
@@ -96,6 +97,9 @@ class Description:
             except NotBuiltInError as inner:
                 inner.where = f"{where}.{inner.where}"
                 raise
+            except (TypeError, ValueError, OverflowError) as error:
+                kind = f"{type(strategy).__name__} changed by hand: {error}"
+                raise NotBuiltInError(where, kind) from None
         return self._places[id(strategy)]
 
     def add_all(self, strategies: Iterable[object]) -> list[int]:

@@ -1,5 +1,6 @@
 """Which engine runs what: "rust" names what stands in its way, "auto" honours what is Python."""
 
+import copy
 import re
 from types import SimpleNamespace
 
@@ -523,24 +524,41 @@ def test_what_goes_wrong_in_python_alone(what):
         (db.Mixture([RGB(0.05), RMB()]), {"strategies": [RMB()]}),
         (db.Schedule([(3, RMB()), (None, RGB())]), {"steps": [0, 0]}),
         (db.Schedule([(3, RMB()), (None, RGB())]), {"steps": (2.5, None)}),
+        (db.Mixture([RGB(0.05), RMB()]), {"weights": [0, 0]}),
+        (db.Mixture([RGB(0.05), RMB()]), {"weights": [0.5, float("nan")]}),
+        (db.Schedule([(3, RMB()), (None, RGB())]), {"steps": (None, None)}),
+        (db.Schedule([(3, RMB()), (None, RGB())]), {"steps": (-3, None)}),
         (db.Adapt([RMB(), RGB(0.05)]), {"alpha": 7}),
+        (db.Adapt([RMB(), RGB(0.05)]), {"alpha": float("nan")}),
+        (db.Adapt([RMB(), RGB(0.05)]), {"window": 2_000_000}),
+        (db.Adapt([RMB(), RGB(0.05)]), {"window": 0}),
+        (db.Adapt([RMB(), RGB(0.05)]), {"head_start": -1}),
         (db.Adapt([RMB(), RGB(0.05)]), {"window": 1, "head_start": 3}),
         (db.Adapt([RMB(), RGB(0.05)]), {"measure": db.Coverage(0.3)}),
     ],
     ids=str,
 )
-def test_attributes_set_by_hand_do_no_silent_harm(strategy, change):
-    """Whether they make sense or not: what "auto" makes of them is Python's, or an error first."""
+@pytest.mark.parametrize("nested", [False, True])
+def test_attributes_set_by_hand_do_no_silent_harm(strategy, change, nested):
+    """Whether they make sense or not: what "auto" makes of them is what Python does."""
+    strategy = copy.copy(strategy)
     for name, value in change.items():
         setattr(strategy, name, value)
-    (run, end), (expected, python_end) = (made(strategy, engine) for engine in ("auto", "python"))
+    whole = db.Mixture([RMB(), strategy]) if nested else strategy
+    (run, end), (expected, python_end) = (made(whole, engine) for engine in ("auto", "python"))
     if isinstance(run, db.Exploration):
         assert isinstance(expected, db.Exploration)
         assert differences(run, expected) == []
-        assert end == python_end
     else:
-        undrawn = state(np.random.default_rng(0))
-        assert end == undrawn or (run, end) == (expected, python_end)
+        assert run == expected
+    assert end == python_end
+
+
+def test_rust_says_what_was_set_by_hand():
+    goals = RGB(0.05)
+    goals.d = 7.0
+    with pytest.raises(ValueError, match=r'"rust".*strategy\.strategies\[1\].*d must be .*7\.0'):
+        db.explore(db.PlanarArm(3), db.Mixture([RMB(), goals]), N, rng=0, engine="rust")
 
 
 def made(strategy, engine):

@@ -112,8 +112,8 @@ def explore_many(
     steps when the iterator is closed or dropped, one of them fails or Ctrl-C comes while waiting
     for a result; a call of an environment or of `keep` that has begun is waited for.
 
-    An iterator does not go on in a process that was forked from the one that began with it: there
-    it raises a RuntimeError.
+    In a process that is forked meanwhile, the iterator ends in a RuntimeError: a fork has none of
+    the threads.
 
     Explorations that share a Generator draw from it in whatever order they come to it: give each
     a seed instead.

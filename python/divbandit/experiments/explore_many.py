@@ -66,6 +66,7 @@ def explore_many(
     Each exploration is the very one that `explore` makes of its task: neither `jobs` nor the order
     in which they end changes a bit of it. At most ``2 * jobs`` of them are under way, or finished
     and waiting to be yielded; tasks are drawn when there is room, so that there may be millions.
+    So many are drawn, or all if there are fewer, before the first result is yielded.
 
     Parameters
     ----------

@@ -294,3 +294,16 @@ print(os.waitpid(child, 0)[1])
     code, out, errors = ended(script)
     assert (code, out[1:], errors) == (0, ["3", "0"], "")
     assert "forked" in out[0]
+
+
+def test_it_does_not_begin_when_python_is_being_torn_down():
+    script = """
+class Late:
+    def __del__(self, quick=quick, explore_many=db.explore_many):
+        try:
+            list(explore_many([quick], jobs=1))
+        except RuntimeError as error:
+            print("refused")
+late = Late()
+"""
+    assert ended(script)[:2] == (0, ["refused"])

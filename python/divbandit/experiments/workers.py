@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import threading
 from concurrent.futures import Future
 from queue import Empty, SimpleQueue
@@ -106,6 +107,8 @@ class Workers(Generic[Item, Result]):
                 thread.join()
 
     def _start(self, target: Callable[[], None]) -> None:
+        if sys.is_finalizing():  # before Python 3.12 the start would be waited for, for ever
+            raise RuntimeError("no thread can be started: the program is exiting")
         # No daemon: one that is inside the compiled module must not be cut off when Python ends.
         thread = threading.Thread(target=target, name="divbandit", daemon=False)
         self._threads.append(thread)

@@ -5,7 +5,10 @@
 //! what lies together is waited for once. Discs that have lost all of their boundary are set
 //! aside: no search meets them.
 
-use rustc_hash::FxHashMap;
+use std::hash::BuildHasher;
+
+use hashbrown::HashTable;
+use rustc_hash::FxBuildHasher;
 use smallvec::SmallVec;
 
 use super::Disc;
@@ -13,14 +16,21 @@ use super::circle::{Span, floor};
 use super::crowd::Crowd;
 use super::sectors::{self, Reach, Sectors};
 
+/// Live discs beside each other; a single one lies in its cell.
+pub(crate) type Live = SmallVec<[Disc; 1]>;
+
 /// The discs whose centres lie in one cell.
+///
+/// Effects that hardly overlap have a cell each: 144 bytes with the disc, and 6 to 12 in the index.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cell {
+    /// The column and the row of the cell.
+    at: (i64, i64),
     /// What is roughly known of the live discs: most of them cannot matter to a new one, and this
     /// tells so without a look at them. Empty in a crowd.
-    rough: SmallVec<[Rough; 2]>,
+    rough: SmallVec<[Rough; 1]>,
     /// Discs with exposed arcs; in a crowd also places where one has been.
-    pub live: Vec<Disc>,
+    pub live: Live,
     /// Centres of discs without: they matter where rounding decides, and nowhere else.
     #[expect(clippy::box_collection, reason = "a third of a list's size in a million cells")]
     dead: Option<Box<Vec<[f64; 2]>>>,
@@ -61,7 +71,8 @@ pub(crate) struct Grid {
     tau: f64,
     edge: f64,
     reach: Reach,
-    index: FxHashMap<(i64, i64), u32>,
+    /// Which cell is where: the cells know themselves.
+    index: HashTable<u32>,
     pub cells: Vec<Cell>,
 }
 
@@ -75,15 +86,27 @@ fn locate(quotient: f64) -> (i64, f64) {
     (cell, quotient - cell as f64)
 }
 
+/// The hash of a cell's column and row.
+#[inline]
+fn hash(at: (i64, i64)) -> u64 {
+    FxBuildHasher.hash_one(at)
+}
+
 impl Grid {
     pub fn new(tau: f64) -> Self {
         Self {
             tau,
             edge: EDGE * tau,
             reach: Reach::new(),
-            index: FxHashMap::default(),
+            index: HashTable::new(),
             cells: Vec::new(),
         }
+    }
+
+    /// Which cell has this column and row, if any.
+    #[inline]
+    fn index_at(&self, at: (i64, i64)) -> Option<u32> {
+        self.index.find(hash(at), |&index| self.cells[index as usize].at == at).copied()
     }
 
     /// The cells that hold all centres within 2 radii of a point, and where it lies as seen
@@ -101,7 +124,7 @@ impl Grid {
         };
         let ([left, right], [low, high]) = (columns(x), columns(y));
         let at = |(i, across): (i64, f32), (j, up): (i64, f32)| {
-            self.index.get(&(i, j)).map(|&index| (index, [across, up]))
+            self.index_at((i, j)).map(|index| (index, [across, up]))
         };
         let (wide, tall) = (left.0 < right.0, low.0 < high.0);
         [
@@ -139,12 +162,9 @@ impl Grid {
 
     /// Files a disc.
     pub fn insert(&mut self, disc: Disc) {
-        let (tau, next) = (self.tau, self.cells.len() as u32);
+        let tau = self.tau;
         let ((i, across), (j, up)) = (locate(disc.x / self.edge), locate(disc.y / self.edge));
-        let index = *self.index.entry((i, j)).or_insert(next);
-        if index == next {
-            self.cells.push(Cell::default());
-        }
+        let index = self.index_at((i, j)).unwrap_or_else(|| self.add_cell((i, j)));
         let cell = &mut self.cells[index as usize];
         let square = |share: f64| ((share * SQUARES as f64) as usize).min(SQUARES - 1);
         cell.occupied[square(across)] |= 1 << square(up);
@@ -154,10 +174,6 @@ impl Grid {
             crowd.insert(disc, &mut cell.live);
         } else {
             let place = [(EDGE * across) as f32, (EDGE * up) as f32];
-            if cell.live.len() == cell.live.capacity() {
-                // Room for 1, 2, 4 and so on: most cells may hold a single disc.
-                cell.live.reserve_exact(cell.live.len().max(1));
-            }
             cell.rough.push(Rough { place, sectors: sectors::of_arcs(&disc.arcs) });
             cell.live.push(disc);
             if cell.live.len() >= CROWDED {
@@ -165,6 +181,14 @@ impl Grid {
                 cell.rough.clear();
             }
         }
+    }
+
+    /// Makes an empty cell where none is yet.
+    fn add_cell(&mut self, at: (i64, i64)) -> u32 {
+        let (cells, index) = (&self.cells, self.cells.len() as u32);
+        self.index.insert_unique(hash(at), index, |&index| hash(cells[index as usize].at));
+        self.cells.push(Cell { at, ..Cell::default() });
+        index
     }
 
     /// Whether a disc that crosses no exposed arc overlaps the union - and so lies in it.
@@ -191,8 +215,8 @@ impl Grid {
     #[cold]
     pub fn has_buried(&self, centre: [f64; 2]) -> bool {
         let [i, j] = centre.map(|x| locate(x / self.edge).0);
-        let index = self.index.get(&(i, j));
-        index.is_some_and(|&index| self.cells[index as usize].dead().contains(&centre))
+        let index = self.index_at((i, j));
+        index.is_some_and(|index| self.cells[index as usize].dead().contains(&centre))
     }
 
     /// All discs that have boundary.

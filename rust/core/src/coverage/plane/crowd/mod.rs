@@ -8,6 +8,7 @@
 mod bound;
 
 use super::Disc;
+use super::grid::Live;
 use bound::{Bound, Item, ranges};
 
 #[derive(Debug, Clone)]
@@ -59,7 +60,7 @@ impl Crowd {
     }
 
     /// Adds a disc to the others.
-    pub fn insert(&mut self, disc: Disc, discs: &mut Vec<Disc>) {
+    pub fn insert(&mut self, disc: Disc, discs: &mut Live) {
         let place = self.vacant.pop().map_or(discs.len(), |place| place as usize);
         if place == discs.len() {
             discs.push(disc);

@@ -1,5 +1,6 @@
 """One object in many threads: what it returns is right, or it says that it is in use."""
 
+import copy
 from functools import partial
 
 import numpy as np
@@ -37,6 +38,76 @@ def one_by_one(cov):
     return again.extend(cov.effects), again.measure
 
 
+class Meanwhile:
+    """Points that, when a call reads them, first let other threads make calls of their own."""
+
+    def __init__(self, points, calls):
+        self.points, self.calls, self.found = np.array(points, dtype=float), calls, None
+
+    def __array__(self, dtype=None, copy=None):
+        self.found = at_once(partial(unless_in_use, call) for call in self.calls)
+        return self.points
+
+
+@pytest.mark.parametrize("method", ["add", "extend", "gain", "contains"])
+def test_a_coverage_that_is_in_use_says_so(method):
+    cov = db.Coverage(0.1)
+    cov.add([0.5, 0.5])
+    meanwhile = Meanwhile(
+        [[0.25, 0.25]] if method == "extend" else [0.25, 0.25],
+        [
+            lambda: len(cov),
+            lambda: cov.measure,
+            lambda: cov.effects,
+            lambda: cov.add([0, 0]),
+            lambda: cov.extend([[0, 0]]),
+            lambda: cov.gain([0, 0]),
+            lambda: cov.contains([0, 0]),
+            lambda: cov.contribution(0),
+            cov.boundary,
+            lambda: copy.copy(cov),
+        ],
+    )
+    outcome = getattr(cov, method)(meanwhile)
+    assert meanwhile.found == [None] * len(meanwhile.calls)
+    again = db.Coverage(0.1)
+    again.add([0.5, 0.5])
+    assert outcome == getattr(again, method)(meanwhile.points)
+    assert cov.effects.tolist() == again.effects.tolist()
+
+
+@pytest.mark.parametrize("method", ["add", "extend"])
+def test_a_tree_that_grows_says_so(method):
+    tree = db.NearestNeighbors(2)
+    tree.add([0, 0])
+    meanwhile = Meanwhile(
+        [[1, 1]] if method == "extend" else [1, 1],
+        [
+            lambda: len(tree),
+            lambda: tree.nearest([0, 0]),
+            lambda: tree.extend([[2, 2]]) or "added",
+            lambda: tree.add([2, 2]) or "added",
+            lambda: copy.copy(tree),
+        ],
+    )
+    getattr(tree, method)(meanwhile)
+    assert meanwhile.found == [None] * len(meanwhile.calls)
+    assert len(tree) == 2
+    assert tree.nearest([2, 2]) == (np.sqrt(2), 1)
+
+
+def test_a_tree_is_searched_by_all_at_once():
+    tree = db.NearestNeighbors(2)
+    tree.extend([[0, 0], [1, 0]])
+    meanwhile = Meanwhile(
+        [1, 0],
+        [lambda: tree.nearest([0, 3]), lambda: len(tree), lambda: tree.add([1, 0]) or "added"],
+    )
+    assert tree.nearest(meanwhile) == (0, 1)
+    assert meanwhile.found == [(3, 0), 2, None]
+    assert len(tree) == 2
+
+
 def test_effects_are_added_to_one_coverage_singly():
     cov = db.Coverage(0.05)
     gains = in_threads(lambda points: [unless_in_use(cov.add, point) for point in points[:20]])
@@ -68,7 +139,8 @@ def test_effects_are_added_to_one_coverage_in_batches():
 
 def test_one_coverage_is_asked_while_it_grows():
     """What was asked between two insertions is what it is between two insertions."""
-    cov, disc = db.Coverage(0.01), np.pi * 0.01**2
+    cov = db.Coverage(0.01)
+    disc = cov.largest_gain
 
     def work(points):
         unless_in_use(cov.extend, points)

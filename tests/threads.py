@@ -4,6 +4,9 @@ import sys
 import threading
 from contextlib import contextmanager
 
+#: Whether only one thread at a time runs Python: not so on a free-threaded one.
+HAS_GIL = getattr(sys, "_is_gil_enabled", lambda: True)()
+
 #: A deadlock, not a slow machine: seconds after which a thread is given up.
 HANGS = 120
 

@@ -7,6 +7,7 @@ import weakref
 import pytest
 
 import divbandit as db
+from tests.threads import HAS_GIL
 
 TASK = db.Task(db.PlanarArm(3), db.MotorBabbling(), n=5)
 
@@ -98,7 +99,10 @@ def test_whole_explorations_are_forgotten_when_they_were_yielded():
         alive.add(run)
         del run
         most = max(most, len(alive))
-    assert most <= 2  # a thread may be just about to forget its last
+    # A thread may be just about to forget its last; without the global lock it is the one that made
+    # an object that frees it, when it comes to it.
+    assert most <= (2 if HAS_GIL else 30)
+    gc.collect()
     assert len(alive) == 0
 
 

@@ -101,9 +101,10 @@ class Workers(Generic[Item, Result]):
     def __exit__(self, *_: object) -> None:
         self._stop.set()
         for thread in self._threads:
-            # Whoever drops an iterator may be any thread. And a Ctrl-C may have come in the middle
-            # of starting one, which then ends by itself.
-            if thread.ident is not None and thread is not threading.current_thread():
+            # Whoever drops an iterator may be any thread. A Ctrl-C may have come in the middle of
+            # starting one, which then ends by itself. And where a free-threaded Python drops it
+            # at exit, all have ended, but modules are empty by then.
+            if thread.is_alive() and thread is not threading.current_thread():
                 thread.join()
 
     def _start(self, target: Callable[[], None]) -> None:

@@ -107,7 +107,9 @@ def explore_many(
     -----
     Explorations of built-in parts alone are made by the engine, which lets go of Python's lock:
     they run side by side. Code in Python takes turns, but for what lets go of the lock itself, as
-    an environment that waits for a simulator or a robot does.
+    an environment that waits for a simulator or a robot does. A free-threaded Python has no such
+    lock: there all run side by side. (An iterator that is dropped in another thread than the one
+    that made it may then end only when that one runs Python again; closing it does so at once.)
 
     Nothing begins before the first result is asked for. All that is under way ends between two
     steps when the iterator is closed or dropped, one of them fails or Ctrl-C comes while waiting

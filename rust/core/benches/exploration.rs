@@ -50,7 +50,7 @@ fn explore(d: f64, n: usize, seed: u64) -> divbandit_core::exploration::Log {
     let mut stream = Stream(seed);
     let mut run = adapt(d, n, true);
     run.run(n, &mut || stream.unit()).unwrap();
-    run.into_log()
+    run.into_log().unwrap()
 }
 
 /// The best of several times of `work`, in ns a step.

@@ -97,7 +97,7 @@ fn adapt(arm: PlanarArm, d: f64) -> Log {
     let mut run = Exploration::new(Box::new(arm), history, strategies, root).unwrap();
     let mut stream = Stream(1);
     run.run(3000, &mut || stream.unit()).unwrap();
-    run.into_log()
+    run.into_log().unwrap()
 }
 
 #[test]

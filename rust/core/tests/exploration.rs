@@ -37,7 +37,7 @@ proptest! {
         let mut run =
             Exploration::new(Box::new(arm(m)), history(m, true), strategies, root).unwrap();
         go(&mut run, 300, &mut Stream(seed));
-        let log = run.into_log();
+        let log = run.into_log().unwrap();
         prop_assert_eq!(log.depth, 1);
         for (i, step) in steps.iter().enumerate() {
             prop_assert_eq!(log.paths[i], step.choice as i64, "step {}", i);
@@ -227,9 +227,9 @@ fn halves_make_a_whole_and_no_steps_make_nothing() {
         go(&mut run, n, &mut stream);
     }
     assert_eq!(run.len(), 200);
-    assert_eq!(run.into_log(), whole);
+    assert_eq!(run.into_log().unwrap(), whole);
     let (strategies, root) = nested(0.05, 0.1);
-    let empty = ready(strategies, root).into_log();
+    let empty = ready(strategies, root).into_log().unwrap();
     let nothing = (vec![], vec![], vec![], vec![]);
     assert_eq!((empty.commands, empty.effects, empty.paths, empty.diversities), nothing);
 }
@@ -246,7 +246,7 @@ fn commands_need_not_be_kept() {
         run.reserve(100).unwrap();
         go(&mut run, 100, &mut Stream(1));
         assert_eq!(run.len(), 100);
-        run.into_log()
+        run.into_log().unwrap()
     };
     let (with, without) = (log(true), log(false));
     assert_eq!(with.commands.len(), 300);

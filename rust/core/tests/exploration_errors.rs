@@ -40,7 +40,7 @@ fn room_for_too_many_steps_is_refused_and_nothing_lost() {
         let refused = run.run(too_many, &mut || -> f64 { panic!("nothing is to be drawn") });
         assert!(message(refused).starts_with("n must be so few that"));
         go(&mut run, 50, &mut stream);
-        assert_eq!(run.into_log(), whole);
+        assert_eq!(run.into_log().unwrap(), whole);
     }
 }
 
@@ -172,7 +172,7 @@ fn what_an_environment_breaks_leaves_the_steps_before() {
         // It can go on.
         go(&mut run, 20, &mut stream);
         assert_eq!(run.len(), 29);
-        let log = run.into_log();
+        let log = run.into_log().unwrap();
         let (strategies, root) = nested(0.05, 0.1);
         let whole = explored(strategies, root, 9);
         assert_eq!(log.commands[..27], whole.commands);
@@ -232,7 +232,7 @@ fn strategies_of_ones_own_are_held_to_their_promises() {
         let mut run = ready(strategies, root);
         let found = run.run(2, &mut || 0.0).map_err(|error| error.to_string());
         match (found, expected) {
-            (Ok(()), None) => assert_eq!(run.into_log().paths, [choice as i64; 2]),
+            (Ok(()), None) => assert_eq!(run.into_log().unwrap().paths, [choice as i64; 2]),
             (Err(found), Some(expected)) => {
                 assert!(found.starts_with(expected), "{found}");
                 assert!(run.is_empty());

@@ -166,7 +166,8 @@ impl PyEngine {
             }
         }
 
-        let Log { commands, effects, paths, depth, diversities } = py.detach(|| run.into_log());
+        let Log { commands, effects, paths, depth, diversities } =
+            py.detach(|| run.into_log()).map_err(value_error)?;
         let rows = |numbers: Vec<f64>, width: usize| numbers.into_pyarray(py).reshape([n, width]);
         let beliefs = diversities.len() / n.max(1);
         Ok((

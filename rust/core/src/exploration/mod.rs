@@ -30,7 +30,7 @@
 //! };
 //! let mut run = Exploration::new(Box::new(arm), history, strategies, root)?;
 //! run.run(1000, &mut draws)?;
-//! let log = run.into_log();
+//! let log = run.into_log()?;
 //! assert_eq!((log.commands.len(), log.effects.len()), (20_000, 2000));
 //! assert_eq!((log.paths.len(), log.diversities.len()), (1000, 2000));
 //! # Ok(())
@@ -228,14 +228,18 @@ impl Exploration {
     }
 
     /// What is left of it.
-    #[must_use]
-    pub fn into_log(self) -> Log {
+    ///
+    /// # Errors
+    /// If there is no memory for the paths.
+    pub fn into_log(self) -> Result<Log, Error> {
         let depth = self.paths.depth();
-        let mut paths = vec![0; self.ends.len() * depth];
+        let mut paths = Vec::new();
+        reserve(&mut paths, self.ends.len(), depth)?;
+        paths.resize(self.ends.len() * depth, -1);
         for (&end, row) in self.ends.iter().zip(paths.chunks_exact_mut(depth.max(1))) {
             self.paths.write(end, row);
         }
         let (commands, effects) = self.history.into_log();
-        Log { commands, effects, paths, depth, diversities: self.diversities }
+        Ok(Log { commands, effects, paths, depth, diversities: self.diversities })
     }
 }

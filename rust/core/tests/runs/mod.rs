@@ -50,7 +50,7 @@ pub fn go(run: &mut Exploration, n: usize, stream: &mut Stream) {
 pub fn explored(strategies: Composition, root: usize, n: usize) -> Log {
     let mut run = ready(strategies, root);
     go(&mut run, n, &mut Stream(1));
-    run.into_log()
+    run.into_log().unwrap()
 }
 
 /// ADAPT over motor babbling and an inner ADAPT over motor and goal babbling, with their radii.

@@ -42,7 +42,8 @@ def explore(
     strategy : Strategy
         Is copied; the one given is never changed.
     n : int
-        How many evaluations, at least 1.
+        How many evaluations, at least 1. The engine makes room for what all of them leave before
+        it begins, and refuses to where there is no memory for that.
     rng : None, int, SeedSequence or Generator
         All randomness comes from it; a Generator is drawn from, not copied.
     engine : {"auto", "python", "rust"}

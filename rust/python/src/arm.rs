@@ -45,11 +45,12 @@ impl PyPlanarArm {
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let command = Floats::either("command", command, self.0.joints())?;
-        let angles = command.slice()?;
         if !command.is_batch() {
-            let effect = self.0.effect(angles).map_err(value_error)?;
+            let effect = self.0.effect(&command.copied()?).map_err(value_error)?;
             return Ok(effect.to_vec().into_pyarray(py).into_any());
         }
+        // Not copied: who writes to it from another thread meanwhile gets nonsense, as from NumPy.
+        let angles = command.slice()?;
         let mut effects = vec![0.0; angles.len() / self.0.joints() * 2];
         py.detach(|| self.0.effects(angles, &mut effects)).map_err(value_error)?;
         Ok(effects.into_pyarray(py).reshape([angles.len() / self.0.joints(), 2])?.into_any())
@@ -62,7 +63,7 @@ impl PyPlanarArm {
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let command = Floats::point("command", command, Some(self.0.joints()))?;
-        let points = self.0.posture(command.slice()?).map_err(value_error)?;
+        let points = self.0.posture(&command.copied()?).map_err(value_error)?;
         points.concat().into_pyarray(py).reshape([points.len(), 2])
     }
 }

@@ -12,7 +12,6 @@ the long runs the only one - and all are taken in one process.
 import argparse
 import math
 import statistics
-import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -24,6 +23,7 @@ from ribs.schedulers import Scheduler
 import divbandit as db
 import scalar_arm
 from divbandit.paper import setting
+from timing import fastest
 
 ARM = setting.arm()
 JOINTS = ARM.motor_space.dim
@@ -87,16 +87,6 @@ def main():
     for d, one, other in zip(setting.PERTURBATIONS, engines, long, strict=True):
         growth = other.step / one.step
         print(f"d = {d}: a step of {size.long} costs {growth:.2f} times one of {size.n}.")
-
-
-def fastest(work, *, repeat):
-    """Return the least time that `work` took, and its result."""
-    times = []
-    for _ in range(repeat):
-        start = time.perf_counter()
-        result = work()
-        times.append(time.perf_counter() - start)
-    return min(times), result
 
 
 def over_seeds(work, size):

@@ -10,7 +10,6 @@ the table also replaces the one in that file.
 import argparse
 import math
 import sys
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +18,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 import divbandit as db
+from timing import fastest
 
 sys.path.append(str(Path(__file__).parents[1]))
 from tests.reference.slices import sliced_volume
@@ -79,16 +79,6 @@ def main():
     print(table)
     if options.readme:
         replace_table(options.readme, table)
-
-
-def fastest(work, *, repeat):
-    """Return the least time that `work` took, and its result."""
-    times = []
-    for _ in range(repeat):
-        start = time.perf_counter()
-        result = work()
-        times.append(time.perf_counter() - start)
-    return min(times), result
 
 
 def numpy_kinematics(commands):

@@ -26,11 +26,6 @@ def arms(draw):
     return arm
 
 
-def is_plain(arm):
-    """Say whether its spaces are such that the Rust engine takes it: boxes, not only alike."""
-    return isinstance(arm.motor_space, db.Box) and isinstance(arm.sensory_space, db.Box)
-
-
 def _namespace(low, high):
     """Return a box that is no Box."""
     return SimpleNamespace(low=low.tolist(), high=high.tolist())

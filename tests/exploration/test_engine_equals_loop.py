@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import divbandit as db
 from tests.compositions import compositions
 from tests.exploration.chosen_stream import BELOW_ONE, MOST, stream
-from tests.exploration.random_arms import arms, is_plain
+from tests.exploration.random_arms import arms
 from tests.exploration.random_compositions import compositions as random_compositions
 from tests.exploration.sameness import differences
 from tests.generators import BIT_GENERATORS, state, twins
@@ -48,8 +48,7 @@ def test_any_composition(data):
     rngs = twins(data.draw(st.sampled_from(BIT_GENERATORS)), data.draw(st.integers(0, 2**64)))
     used(rngs, data.draw(st.integers(0, 700)), data.draw(st.integers(0, 3)))
     note(f"motor_space={arm.motor_space}, sensory_space={arm.sensory_space}")
-    engine = "rust" if is_plain(arm) else "auto"
-    assert_same(arm, strategy, data.draw(st.integers(1, 120)), rngs, engine)
+    assert_same(arm, strategy, data.draw(st.integers(1, 120)), rngs)
 
 
 EDGES = st.sampled_from([0.0, 2.0**-53, 0.25, 0.5, 1 - 2.0**-52, BELOW_ONE])

@@ -1,7 +1,7 @@
 //! Gains: what each new effect covers, measured once for all bandits that measure alike.
 
 use crate::coverage::{Coverage, Union};
-use crate::error::{Error, check_length};
+use crate::error::Error;
 use crate::history::History;
 
 /// The unions by which bandits want gains, each brought up to date when one of them is told.
@@ -25,7 +25,10 @@ impl Gains {
     /// # Errors
     /// If effects have another dimension.
     pub fn of(&mut self, template: &Coverage, effect_dim: usize) -> Result<usize, Error> {
-        check_length("measure", &vec![0.0; template.dim()], effect_dim)?;
+        if template.dim() != effect_dim {
+            let (must_be, got) = (effect_dim, template.dim());
+            return Err(Error::Length { name: "measure", must_be, got });
+        }
         let known = self.measures.iter().position(|measure| measure.template.is_like(template));
         if let Some(place) = known {
             return Ok(place);

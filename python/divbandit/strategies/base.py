@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import numpy as np
     from numpy.random import Generator
     from numpy.typing import ArrayLike, NDArray
@@ -31,11 +33,16 @@ class Trial:
     path : tuple of int
         Who proposed it: indices of strategies, outermost first. Empty where one strategy
         explores alone.
+    probability : float or None
+        The probability with which the outermost strategy, a bandit, chose who proposed it; None
+        where that is not known.
     inner : Trial or None
         For a trial of a composite strategy, or one that an Explorer gives out: the very trial
         that was proposed.
     number : int or None
         For a trial that an Explorer gives out: how many it gave out before.
+    place : int or None
+        Once its effect is known: the place of that effect in the history.
 
     Examples
     --------
@@ -45,7 +52,7 @@ class Trial:
     ()
     """
 
-    __slots__ = ("command", "goal", "inner", "number", "path")
+    __slots__ = ("command", "goal", "inner", "number", "path", "place", "probability")
 
     def __init__(self, command: ArrayLike, *, goal: ArrayLike | None = None) -> None:
         self.command = command
@@ -53,6 +60,8 @@ class Trial:
         self.path: tuple[int, ...] = ()
         self.inner: Trial | None = None
         self.number: int | None = None
+        self.place: int | None = None
+        self.probability: float | None = None
 
     @classmethod
     def of(cls, proposal: Trial | ArrayLike) -> Trial:
@@ -66,8 +75,14 @@ class Trial:
         """
         return proposal if isinstance(proposal, Trial) else cls(proposal)
 
-    def proposed_by(self, index: int) -> Trial:
+    def proposed_by(self, index: int, *, probability: float | None = None) -> Trial:
         """Return this trial as one of a composite strategy, whose part `index` proposed it.
+
+        Parameters
+        ----------
+        index : int
+        probability : float, optional
+            With which probability that part was chosen.
 
         Examples
         --------
@@ -78,6 +93,7 @@ class Trial:
         trial = Trial(self.command, goal=self.goal)
         trial.path = (index, *self.path)
         trial.inner = self
+        trial.probability = probability
         return trial
 
     def __repr__(self) -> str:
@@ -99,6 +115,15 @@ class Strategy(ABC):
     >>> len(np.unique(abs(run.commands)))
     1
     """
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        """Drop an inherited shortcut for many trials where a class says anew how one is made."""
+        super().__init_subclass__(**options)
+        own = vars(cls)
+        if "propose" in own and "propose_many" not in own:
+            cls.propose_many = Strategy.propose_many  # type: ignore[method-assign]
+        if "observe" in own and "observe_many" not in own:
+            cls.observe_many = Strategy.observe_many  # type: ignore[method-assign]
 
     @abstractmethod
     def propose(self, history: History, rng: Generator) -> Trial | ArrayLike:
@@ -125,6 +150,28 @@ class Strategy(ABC):
         array([0.63696169])
         """
 
+    def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
+        """Return `n` trials, all of them proposed before any of their effects is known.
+
+        By default what `n` calls of `propose` return. A strategy may have a faster way.
+
+        Parameters
+        ----------
+        history : History
+        n : int
+        rng : numpy.random.Generator
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> trials = db.MotorBabbling().propose_many(history, 2, np.random.default_rng(0))
+        >>> [trial.command.round(2).tolist() for trial in trials]
+        [[0.64], [0.27]]
+        """
+        return [Trial.of(self.propose(history, rng)) for _ in range(n)]
+
     def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:  # noqa: B027
         """Learn what came of a trial of one's own; the history holds it already.
 
@@ -148,6 +195,64 @@ class Strategy(ABC):
         >>> explorer.tell(explorer.ask(), [3.0])
         >>> explorer.strategy.farthest
         3.0
+        """
+
+    def observe_many(self, trials: Sequence[Trial], effects: NDArray[np.float64]) -> None:
+        """Learn what came of many trials of one's own; the history holds all of them already.
+
+        By default what as many calls of `observe` do. Whoever tells a batch calls this where
+        the strategy has an `observe_many` of its own, or learns nothing; others are told of one
+        effect after the other, before the history holds the next.
+
+        Parameters
+        ----------
+        trials : sequence of Trial
+            In the order in which they were told; ``trial.place`` is the effect's in the history.
+        effects : numpy.ndarray, shape (n, s)
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> class Counting(db.MotorBabbling):
+        ...     seen = 0
+        ...     def observe_many(self, trials, effects):
+        ...         self.seen += len(trials)
+        >>> explorer = db.Explorer(Counting(), db.Box([0], [1]), rng=0)
+        >>> explorer.tell(explorer.ask(3), [[3.0], [4.0], [5.0]])
+        >>> explorer.strategy.seen
+        3
+        """
+        for trial, effect in zip(trials, effects, strict=True):
+            self.observe(trial, effect)
+
+    @property
+    def learns_at_once(self) -> bool:
+        """Whether `observe_many` comes to the same as calls of `observe` in between appends."""
+        kind = type(self)
+        learns_nothing = kind.observe is Strategy.observe
+        return learns_nothing or kind.observe_many is not Strategy.observe_many
+
+    def fail(self, trial: Trial, reason: str) -> None:  # noqa: B027
+        """Learn that a trial of one's own came to nothing: there is no effect.
+
+        Parameters
+        ----------
+        trial : Trial
+            The very one that `propose` returned (made from its command if it returned that).
+        reason : str
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> class Careful(db.MotorBabbling):
+        ...     failed = 0
+        ...     def fail(self, trial, reason):
+        ...         self.failed += 1
+        >>> explorer = db.Explorer(Careful(), db.Box([0], [1]), rng=0)
+        >>> explorer.fail(explorer.ask(), "the robot fell over")
+        >>> explorer.strategy.failed
+        1
         """
 
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:  # noqa: B027

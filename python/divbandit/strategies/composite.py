@@ -9,7 +9,7 @@ from divbandit._checks import whole
 from divbandit.strategies.base import Strategy, Trial
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     import numpy as np
     from numpy.random import Generator
@@ -86,19 +86,67 @@ class Composite(Strategy):
 
     def propose(self, history: History, rng: Generator) -> Trial:
         """Let the chosen strategy propose."""
+        index, probability = self._choose(history, rng)
+        proposal = Trial.of(self.strategies[index].propose(history, rng))
+        return proposal.proposed_by(index, probability=probability)
+
+    def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
+        """Choose `n` times; then let each strategy, in order, propose all of its share."""
+        choices = [self._choose(history, rng) for _ in range(n)]
+        shares: dict[int, list[int]] = {}
+        for place, (index, _) in enumerate(choices):
+            shares.setdefault(index, []).append(place)
+        trials: dict[int, Trial] = {}
+        for index in sorted(shares):
+            places = shares[index]
+            proposals = self.strategies[index].propose_many(history, len(places), rng)
+            for place, proposal in zip(places, proposals, strict=True):
+                probability = choices[place][1]
+                trials[place] = Trial.of(proposal).proposed_by(index, probability=probability)
+        return [trials[place] for place in range(n)]
+
+    def _choose(self, history: History, rng: Generator) -> tuple[int, float | None]:
+        """Return who is to propose next, and with which probability that was chosen."""
         index = whole("choose()", self.choose(history, rng), low=0, high=len(self.strategies) - 1)
-        return Trial.of(self.strategies[index].propose(history, rng)).proposed_by(index)
+        return index, None
 
     def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:
         """Tell the strategy that proposed the trial."""
-        if trial.inner is None:
-            raise ValueError("trial must be one that this composite strategy proposed")
-        self.strategies[trial.path[0]].observe(trial.inner, effect)
+        inner = _part_of(trial)
+        inner.place = trial.place
+        self.strategies[trial.path[0]].observe(inner, effect)
+
+    def observe_many(self, trials: Sequence[Trial], effects: NDArray[np.float64]) -> None:
+        """Tell each strategy, in order, of all the trials that it proposed."""
+        shares: dict[int, list[int]] = {}
+        for row, trial in enumerate(trials):
+            _part_of(trial).place = trial.place
+            shares.setdefault(trial.path[0], []).append(row)
+        for index in sorted(shares):
+            rows = shares[index]
+            share = [_part_of(trials[row]) for row in rows]
+            self.strategies[index].observe_many(share, effects[rows])
+
+    @property
+    def learns_at_once(self) -> bool:
+        """Whether all parts do."""
+        return super().learns_at_once and all(part.learns_at_once for part in self.strategies)
+
+    def fail(self, trial: Trial, reason: str) -> None:
+        """Tell the strategy that proposed the trial."""
+        self.strategies[trial.path[0]].fail(_part_of(trial), reason)
 
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:
         """Let every part check."""
         for strategy in self.strategies:
             strategy.check(motor_space, effect_dim, has_goals=has_goals)
+
+
+def _part_of(trial: Trial) -> Trial:
+    """Return the trial that a composite's part proposed."""
+    if trial.inner is None:
+        raise ValueError("trial must be one that this composite strategy proposed")
+    return trial.inner
 
 
 def total_of(weights: Iterable[float]) -> float:

@@ -14,8 +14,8 @@ from divbandit.bandits import Adapt
 from divbandit.box import Box
 from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
 from divbandit.experiments import Summary, Task, explore_many, summarize
-from divbandit.exploration import Exploration, Explorer, explore
-from divbandit.history import History
+from divbandit.exploration import Exploration, Explorer, Trials, explore
+from divbandit.history import Failure, History
 from divbandit.measures import (
     Coverage,
     Entropy,
@@ -44,6 +44,7 @@ __all__ = [
     "Environment",
     "Exploration",
     "Explorer",
+    "Failure",
     "FunctionEnvironment",
     "GoalBabbling",
     "GridCoverage",
@@ -60,6 +61,7 @@ __all__ = [
     "Summary",
     "Task",
     "Trial",
+    "Trials",
     "coverage",
     "explore",
     "explore_many",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import secrets
 import zipfile
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
 Built = TypeVar("Built")
 
 
-def write(path: PathLike, kind: str, version: int, arrays: Arrays) -> None:
+def write(
+    path: PathLike, kind: str, version: int, arrays: Arrays, *, compress: bool = True
+) -> None:
     """Write arrays to a file, replacing it whole or not at all."""
     # The names come first, so that nothing can go missing unnoticed.
     arrays = {"format": np.array([kind, str(version), *arrays]), **arrays}
@@ -29,7 +32,7 @@ def write(path: PathLike, kind: str, version: int, arrays: Arrays) -> None:
     temporary = target.with_name(f".{secrets.token_hex(8)}.tmp")
     try:
         with temporary.open("xb") as file:
-            np.savez_compressed(file, **cast("Any", arrays))
+            (np.savez_compressed if compress else np.savez)(file, **cast("Any", arrays))
         temporary.replace(target)
     except OSError as error:
         error.filename = os.fspath(path)
@@ -69,6 +72,16 @@ def _check_format(arrays: Arrays, kind: str, version: int) -> None:
         raise ValueError(f"format must be {kind!r} {version}, got {name!r} {got}")
     if {"format", *names} != set(arrays):
         raise ValueError(f"arrays must be {names}, got {sorted(arrays)}")
+
+
+def from_json(value: object) -> NDArray[np.uint8]:
+    """Return what can be written as JSON as an array of bytes."""
+    return np.frombuffer(json.dumps(value, allow_nan=False).encode(), dtype=np.uint8)
+
+
+def to_json(arrays: Arrays, name: str) -> Any:  # noqa: ANN401 - whatever was written
+    """Return what `from_json` was given."""
+    return json.loads(array(arrays, name, np.uint8, (None,)).tobytes())
 
 
 def array(

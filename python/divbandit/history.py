@@ -6,7 +6,7 @@ windows in the bandits) is derived from it and can be rebuilt by reading it agai
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 import numpy as np
 
@@ -19,6 +19,34 @@ if TYPE_CHECKING:
 
     from numpy.random import Generator
     from numpy.typing import ArrayLike, NDArray
+
+
+class Failure(NamedTuple):
+    """An evaluation that came to nothing: the budget is spent, there is no effect.
+
+    Attributes
+    ----------
+    command : numpy.ndarray of float64, shape (m,)
+    reason : str
+        What went wrong.
+    path : tuple of int
+        Who chose the command: indices of strategies, outermost first.
+    place : int
+        How many effects were known by then.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0], [1]), rng=0)
+    >>> explorer.fail(explorer.ask(), "the robot fell over")
+    >>> explorer.history.failures[0].reason
+    'the robot fell over'
+    """
+
+    command: NDArray[np.float64]
+    reason: str
+    path: tuple[int, ...]
+    place: int
 
 
 class History:
@@ -58,6 +86,7 @@ class History:
         self._commands = np.empty((0, self.motor_space.dim))
         self._effects = np.empty((0, 0 if self.sensory_space is None else self.sensory_space.dim))
         self._paths: list[tuple[int, ...]] = []
+        self._failures: list[Failure] = []
         self._tree: _core.NearestNeighbors | None = None
 
     def __len__(self) -> int:
@@ -77,6 +106,11 @@ class History:
     def paths(self) -> Sequence[tuple[int, ...]]:
         """Who chose each command: indices of strategies, outermost first."""
         return tuple(self._paths)
+
+    @property
+    def failures(self) -> tuple[Failure, ...]:
+        """The evaluations that came to nothing, in order; they are in no other place here."""
+        return tuple(self._failures)
 
     @property
     def effect_dim(self) -> int | None:
@@ -140,6 +174,47 @@ class History:
         self._commands[n] = command
         self._effects[n] = effect
         self._paths.append(path)
+
+    def record_many(
+        self,
+        commands: NDArray[np.float64],
+        effects: NDArray[np.float64],
+        paths: Sequence[tuple[int, ...]],
+    ) -> None:
+        """Do what as many calls of `record` do.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.record_many(np.array([[0.5], [0.25]]), np.array([[7.0], [8.0]]), [(), ()])
+        >>> len(history)
+        2
+        """
+        n, end = len(self._paths), len(self._paths) + len(paths)
+        while end > len(self._commands):
+            self._commands = _enlarged(self._commands, commands.shape[1])
+            self._effects = _enlarged(self._effects, effects.shape[1])
+        self._commands[n:end] = commands
+        self._effects[n:end] = effects
+        self._paths.extend(paths)
+
+    def record_failure(
+        self, command: NDArray[np.float64], reason: str, path: tuple[int, ...]
+    ) -> None:
+        """Record an evaluation that came to nothing.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.record_failure(np.array([0.5]), "power cut", ())
+        >>> history.failures
+        (Failure(command=array([0.5]), reason='power cut', path=(), place=0),)
+        """
+        self._failures.append(Failure(command, reason, path, len(self._paths)))
 
     @overload
     def nearest(self, goal: ArrayLike) -> tuple[float, int]: ...

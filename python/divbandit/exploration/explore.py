@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 from divbandit._checks import one_of, truth, whole
 from divbandit._engine import NotBuiltInError
 from divbandit.environments import Environment
+from divbandit.exploration.at_once import explore_at_once
 from divbandit.exploration.explorer import Explorer
 from divbandit.exploration.in_rust import explore_in_rust
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from concurrent.futures import Executor
     from typing import Literal
 
     from divbandit._checks import Rng
@@ -32,6 +34,8 @@ def explore(
     rng: Rng = None,
     engine: Engine = "auto",
     keep_commands: bool = True,
+    executor: Executor | None = None,
+    in_flight: int | None = None,
 ) -> Exploration:
     """Run a task (f, n): explore `environment` with `strategy` for `n` evaluations.
 
@@ -53,6 +57,16 @@ def explore(
     keep_commands : bool
         False leaves the motor commands out of what is returned, most of its memory. In Rust they
         are not even held while exploring, unless a strategy looks at them, as goal babbling does.
+    executor : concurrent.futures.Executor, optional
+        Where the black box is called: threads, processes, a cluster's
+        (``dask.distributed.Client.get_executor()``, ``mpi4py.futures.MPIPoolExecutor``). The
+        environment is sent there as it is, and so must be picklable where these are processes.
+        An evaluation that raises, or whose result is no effect, has failed: it is one of the `n`,
+        and told of in ``failures``. Effects are told as they come in, so that with more than one
+        under way the exploration depends on which is ready first.
+    in_flight : int, optional
+        How many evaluations to keep under way; must be given with an executor. As many as it has
+        workers, or some more, keep all of them busy.
 
     Returns
     -------
@@ -66,9 +80,11 @@ def explore(
         or if `engine` is ``"rust"`` and a part is not built in, which the message names.
     KeyboardInterrupt
         On Ctrl-C; the run is lost then.
+    RuntimeError
+        If an executor was given, and not a single evaluation came to anything.
     Exception
-        What the environment raises; the run is lost then. For a costly one use `Explorer`, whose
-        history remains.
+        What the environment raises, or an executor that breaks down; the run is lost then. For a
+        costly one use `Explorer`, whose history remains.
 
     Examples
     --------
@@ -78,7 +94,15 @@ def explore(
     >>> run.commands.shape, run.effects.shape
     ((500, 20), (500, 2))
     """
-    return explore_between(environment, strategy, n, rng, engine, keep_commands=keep_commands)
+    if executor is None:
+        if in_flight is not None:
+            raise ValueError(f"in_flight must be given with an executor alone, got {in_flight!r}")
+        return explore_between(environment, strategy, n, rng, engine, keep_commands=keep_commands)
+    explorer = _begin(environment, strategy, n, rng, engine, keep_commands)
+    if engine == "rust":
+        raise ValueError('engine must not be "rust" where there is an executor')
+    explore_at_once(environment, explorer, n, executor=executor, in_flight=in_flight)
+    return explorer.result(keep_commands=keep_commands)
 
 
 def explore_between(
@@ -106,15 +130,7 @@ def explore_between(
         ...
     TimeoutError
     """
-    if not isinstance(environment, Environment):
-        raise TypeError(
-            "environment must be callable and have motor_space and sensory_space "
-            f"(FunctionEnvironment makes one of a function), got {type(environment).__name__}"
-        )
-    explorer = Explorer(strategy, environment.motor_space, environment.sensory_space, rng=rng)
-    n = whole("n", n, low=1)
-    one_of("engine", engine, ENGINES)
-    truth("keep_commands", keep_commands)
+    explorer = _begin(environment, strategy, n, rng, engine, keep_commands)
     if engine != "python":
         try:
             return explore_in_rust(
@@ -132,3 +148,24 @@ def explore_between(
         if between is not None:
             between()
     return explorer.result(keep_commands=keep_commands)
+
+
+def _begin(
+    environment: Environment,
+    strategy: Strategy,
+    n: int,
+    rng: Rng,
+    engine: str,
+    keep_commands: object,
+) -> Explorer:
+    """Check what an exploration is asked for, and return what will make it."""
+    if not isinstance(environment, Environment):
+        raise TypeError(
+            "environment must be callable and have motor_space and sensory_space "
+            f"(FunctionEnvironment makes one of a function), got {type(environment).__name__}"
+        )
+    explorer = Explorer(strategy, environment.motor_space, environment.sensory_space, rng=rng)
+    whole("n", n, low=1)
+    one_of("engine", engine, ENGINES)
+    truth("keep_commands", keep_commands)
+    return explorer

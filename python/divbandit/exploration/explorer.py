@@ -3,33 +3,42 @@
 from __future__ import annotations
 
 import copy
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, overload
 
-from divbandit._checks import generator, truth
+import numpy as np
+
+from divbandit._checks import generator, truth, whole
 from divbandit._core import as_point
+from divbandit.exploration import saved
+from divbandit.exploration.journal import Event, Journal
 from divbandit.exploration.result import Exploration
+from divbandit.exploration.trials import Trials
 from divbandit.history import History
+from divbandit.measures.points import many
 from divbandit.strategies.base import Strategy, Trial
 
 if TYPE_CHECKING:
-    import numpy as np
+    import os
+
     from numpy.typing import ArrayLike, NDArray
 
     from divbandit._checks import Rng
     from divbandit.box import BoxLike
 
+    #: A trial that is under way, the command that it was given out with, what the strategy
+    #: proposed, and what a bandit believed.
+    Open = tuple[Trial, NDArray[np.float64], Trial, tuple[float, ...] | None]
 
-class _Open(NamedTuple):
-    """A trial asked for and not yet told."""
-
-    trial: Trial
-    command: NDArray[np.float64]
-    proposed: Trial
-    beliefs: tuple[float, ...] | None
+_NOT_MINE = "trial must be one that this explorer asked for and was not told of yet"
 
 
 class Explorer:
-    """An exploration that is driven from outside, one trial at a time.
+    """An exploration that is driven from outside: ask for trials, tell their effects.
+
+    Any number of trials may be under way, and they may be told in any order, or have failed. The
+    history is in the order of telling, and so are gains: an effect's gain is what it adds to all
+    that was told before it. The effects of one call of `tell` are told one after the other.
 
     Parameters
     ----------
@@ -81,9 +90,12 @@ class Explorer:
         strategy.check(space, self.history.effect_dim, has_goals=goals is not None)
         self._strategy = copy.deepcopy(strategy)
         self.rng = generator(rng)
+        self._journal = Journal(self.rng)
         self._bounds = space.bounds
         self._asked = 0
-        self._open: dict[int, _Open] = {}
+        self._open: dict[int, Open] = {}
+        # How many effects the history had when this explorer last looked.
+        self._known = 0
         # What the bandit believed, by the step's place in the history.
         self._beliefs: dict[int, tuple[float, ...]] = {}
         self._dim_is_checked = self.history.effect_dim is not None
@@ -93,20 +105,37 @@ class Explorer:
         """The explorer's own copy of the strategy, with all that it has learned."""
         return self._strategy
 
-    def ask(self) -> Trial:
-        """Return a trial: evaluate its command, then tell its effect.
+    @property
+    def open_trials(self) -> tuple[Trial, ...]:
+        """The trials that are under way, in the order in which they were given out."""
+        return tuple(trial for trial, *_ in self._open.values())
+
+    @overload
+    def ask(self) -> Trial: ...
+    @overload
+    def ask(self, n: int) -> Trials: ...
+    def ask(self, n: int | None = None) -> Trial | Trials:
+        """Return a trial, or many: evaluate its command, then tell its effect.
+
+        Parameters
+        ----------
+        n : int, optional
+            How many trials to return, at least 1. A composite strategy then chooses `n` times
+            before the first of its parts proposes anything, and each proposes its share.
 
         Returns
         -------
         Trial
             With a read-only ``command`` of shape (m,), the ``goal`` if the strategy has one,
             and the ``path`` of who proposed it.
+        Trials
+            A sequence of `n` of them, if `n` is given, with all their ``commands``, (n, m).
 
         Raises
         ------
         TypeError, ValueError
             If the strategy proposes what is no point of the motor space. The history is then as
-            it was; the generator and the strategy have moved on.
+            it was, and no trial was given out; the generator and the strategy have moved on.
 
         Examples
         --------
@@ -114,36 +143,87 @@ class Explorer:
         >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0, 0], [1, 1]), rng=0)
         >>> explorer.ask().command
         array([0.63696169, 0.26978671])
+        >>> explorer.ask(3).commands.shape
+        (3, 2)
         """
-        proposed = Trial.of(self._strategy.propose(self.history, self.rng))
-        # A copy, so that nobody who changes an array in place changes the log.
+        if n is not None:
+            return self._ask_many(whole("n", n, low=1))
+        if len(self.history) != self._known:
+            self._note_what_others_wrote()
         try:
-            command = self._bounds.command(proposed.command)
+            proposed = Trial.of(self._strategy.propose(self.history, self.rng))
+            command = self._checked(proposed)
+            trial = self._give_out(proposed, command, self._strategy.diversities)
+        except BaseException:
+            self._journal.note(Event.ASK, 0, raised=True)
+            raise
+        self._journal.note(Event.ASK, 0)
+        return trial
+
+    def _ask_many(self, n: int) -> Trials:
+        if len(self.history) != self._known:
+            self._note_what_others_wrote()
+        try:
+            proposed = self._strategy.propose_many(self.history, n, self.rng)
+            if len(proposed) != n:
+                raise ValueError(f"propose_many() must return {n} trials, got {len(proposed)}")  # noqa: TRY301
+            beliefs = self._strategy.diversities
+            try:
+                commands = self._bounds.commands(np.array([trial.command for trial in proposed]))
+            except (TypeError, ValueError):  # one by one tells which it was
+                commands = np.array([self._checked(trial) for trial in proposed])
+                commands.flags.writeable = False
+            trials = [
+                self._give_out(trial, command, beliefs)
+                for trial, command in zip(proposed, commands, strict=True)
+            ]
+        except BaseException:
+            self._journal.note(Event.ASK_MANY, n, raised=True)
+            raise
+        self._journal.note(Event.ASK_MANY, n)
+        return Trials(trials, commands)
+
+    def _checked(self, proposed: Trial) -> NDArray[np.float64]:
+        """Return a copy of the command, so that nobody who changes an array changes the log."""
+        try:
+            return self._bounds.command(proposed.command)
         except (TypeError, ValueError) as error:
             who = f"proposed by {self._strategy!r}, path {proposed.path}"
             raise type(error)(f"{error} ({who})") from None
+
+    def _give_out(
+        self, proposed: Trial, command: NDArray[np.float64], beliefs: tuple[float, ...] | None
+    ) -> Trial:
+        number = self._asked
         trial = Trial(command, goal=proposed.goal)
-        trial.path, trial.inner, trial.number = proposed.path, proposed, self._asked
-        self._open[self._asked] = _Open(trial, command, proposed, self._strategy.diversities)
-        self._asked += 1
+        trial.path, trial.inner, trial.number = proposed.path, proposed, number
+        trial.probability = proposed.probability
+        self._open[number] = (trial, command, proposed, beliefs)
+        self._asked = number + 1
         return trial
 
-    def tell(self, trial: Trial, effect: ArrayLike) -> None:
-        """Record the effect of a trial and let the strategy learn from it.
+    @overload
+    def tell(self, trial: Trial, effect: ArrayLike) -> None: ...
+    @overload
+    def tell(self, trial: Sequence[Trial], effect: ArrayLike) -> None: ...
+    def tell(self, trial: Trial | Sequence[Trial], effect: ArrayLike) -> None:
+        """Record the effect of a trial, or of many, and let the strategy learn from it.
 
         Parameters
         ----------
-        trial : Trial
-            One that this explorer gave out and has not been told of yet.
-        effect : array_like, shape (s,)
+        trial : Trial, or sequence of n Trial
+            Given out by this explorer and not told of yet.
+        effect : array_like, shape (s,) or (n, s)
+            Those of many are told one after the other: it comes to the same as `n` calls.
 
         Raises
         ------
         TypeError, ValueError
-            If the trial is another's or was told before, or the effect is not finite or of the
-            wrong length; nothing is recorded then, and the trial can still be told.
+            If a trial is another's or was told before, or an effect is not finite or of the
+            wrong length; nothing is recorded then, and the trials can still be told.
         Exception
-            What a strategy of one's own raises when it observes; the effect is then recorded.
+            What a strategy of one's own raises when it observes; that effect, and those before
+            it, are then recorded.
 
         Examples
         --------
@@ -157,23 +237,220 @@ class Explorer:
         ValueError: trial must be one that this explorer asked for and was not told of yet
         """
         if not isinstance(trial, Trial):
-            raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
-        number = -1 if trial.number is None else trial.number
-        known = self._open.get(number)
-        if known is None or known.trial is not trial:
-            raise ValueError(
-                "trial must be one that this explorer asked for and was not told of yet"
-            )
+            self._tell_many(trial, effect)
+            return
+        number, (_, command, proposed, beliefs) = self._find(trial)
         history = self.history
         point = as_point("effect", effect, history.effect_dim)
-        if not self._dim_is_checked:  # the first effect tells the dimension
-            self._strategy.check(history.motor_space, len(point), has_goals=False)
-            self._dim_is_checked = True
-        if known.beliefs is not None:
-            self._beliefs[len(history)] = known.beliefs
-        history.record(known.command, point, known.proposed.path)
+        if not self._dim_is_checked:
+            self._check_dim(len(point))
+        place = len(history)
+        if place != self._known:
+            self._note_what_others_wrote()
+        if beliefs is not None:
+            self._beliefs[place] = beliefs
+        history.record(command, point, proposed.path)
         del self._open[number]
-        self._strategy.observe(known.proposed, point)
+        self._known = place + 1
+        trial.place = proposed.place = place
+        try:
+            self._strategy.observe(proposed, point)
+        except BaseException:
+            self._journal.note(Event.TELL, number, raised=True)
+            raise
+        self._journal.note(Event.TELL, number)
+
+    def _find(self, trial: Trial) -> tuple[int, Open]:
+        """Return the number of a trial that is under way, and what is known of it."""
+        number = trial.number
+        known = None if number is None else self._open.get(number)
+        if number is None or known is None or known[0] is not trial:
+            raise ValueError(_NOT_MINE)
+        return number, known
+
+    def _check_dim(self, dim: int) -> None:
+        """Let the strategy see the dimension, which the first effect tells."""
+        self._strategy.check(self.history.motor_space, dim, has_goals=False)
+        self._dim_is_checked = True
+
+    def _tell_many(self, trials: Sequence[Trial], effects: ArrayLike) -> None:
+        if not isinstance(trials, Sequence):
+            kind = type(trials).__name__
+            raise TypeError(f"trial must be a Trial, or a sequence of them, got {kind}")
+        found: dict[int, Open] = {}
+        for trial in trials:
+            if not isinstance(trial, Trial):
+                raise TypeError(f"trial must hold Trials only, got {type(trial).__name__}")
+            number, known = self._find(trial)
+            found[number] = known
+        if len(found) < len(trials):
+            raise ValueError("trial must hold each trial once")
+        points = many("effect", effects, self.history.effect_dim)
+        if len(points) != len(found):
+            raise ValueError(f"effect must have shape ({len(found)}, s), got {points.shape}")
+        if not found:
+            return
+        if not self._dim_is_checked:
+            self._check_dim(points.shape[1])
+        if not self._strategy.learns_at_once:
+            for trial, point in zip(trials, points, strict=True):
+                self.tell(trial, point)
+            return
+        self._tell_at_once(found, points)
+
+    def _tell_at_once(self, found: dict[int, Open], points: NDArray[np.float64]) -> None:
+        place = len(self.history)
+        if place != self._known:
+            self._note_what_others_wrote()
+        proposals = []
+        for row, (number, (trial, _, proposed, beliefs)) in enumerate(found.items(), place):
+            if beliefs is not None:
+                self._beliefs[row] = beliefs
+            trial.place = proposed.place = row
+            proposals.append(proposed)
+            del self._open[number]
+        commands = np.array([command for _, command, _, _ in found.values()])
+        self.history.record_many(commands, points, [trial.path for trial in proposals])
+        self._known = place + len(found)
+        try:
+            self._strategy.observe_many(proposals, points)
+        except BaseException:
+            self._journal.note_many(Event.TELL_MANY, found, raised=True)
+            raise
+        self._journal.note_many(Event.TELL_MANY, found)
+
+    def fail(self, trial: Trial, reason: str) -> None:
+        """Record that the evaluation of a trial came to nothing: the robot fell over.
+
+        The budget is spent, and there is no effect: neither the history's effects nor any measure
+        change. ``history.failures`` tells of it. A bandit takes it for a trial without any gain.
+
+        Parameters
+        ----------
+        trial : Trial
+            Given out by this explorer and not told of yet.
+        reason : str
+            What went wrong, for the log.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the trial is another's or was told before, or the reason is no text; nothing is
+            recorded then.
+        Exception
+            What a strategy of one's own raises when it learns of it; that is then recorded.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0], [1]), rng=0)
+        >>> explorer.fail(explorer.ask(), "the robot fell over")
+        >>> len(explorer.history), len(explorer.history.failures)
+        (0, 1)
+        """
+        if not isinstance(trial, Trial):
+            raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
+        if not isinstance(reason, str):
+            raise TypeError(f"reason must be a text, got {type(reason).__name__}")
+        number, (_, command, proposed, _) = self._find(trial)
+        if len(self.history) != self._known:
+            self._note_what_others_wrote()
+        self.history.record_failure(command, reason, proposed.path)
+        self._journal.failed.append(number)
+        del self._open[number]
+        try:
+            self._strategy.fail(proposed, reason)
+        except BaseException:
+            self._journal.note(Event.FAIL, number, raised=True)
+            raise
+        self._journal.note(Event.FAIL, number)
+
+    def _note_what_others_wrote(self) -> None:
+        """Note effects that came into the history past this explorer."""
+        self._journal.note(Event.WRITTEN, len(self.history) - self._known)
+        self._known = len(self.history)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write all that is needed to go on to a file, replacing it whole or not at all.
+
+        The file is NumPy's ``npz``; nothing in it is pickled. It holds what was asked and told,
+        and the generator's state at the beginning: all else follows from these.
+
+        Parameters
+        ----------
+        path : str or path
+            Used as it is: no ending is added.
+
+        Raises
+        ------
+        ValueError
+            If the generator is none of NumPy's own, whose state can be written.
+        OSError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> import os, tempfile
+        >>> import divbandit as db
+        >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0], [1]), rng=0)
+        >>> trial = explorer.ask()
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     explorer.save(os.path.join(folder, "run"))
+        ...     again = db.Explorer.load(os.path.join(folder, "run"))
+        >>> again.open_trials[0].command == trial.command
+        array([ True])
+        >>> again.ask().command == explorer.ask().command
+        array([ True])
+        """
+        if len(self.history) != self._known:
+            self._note_what_others_wrote()
+        commands = {number: command for number, (_, command, _, _) in self._open.items()}
+        saved.write(path, self._strategy, self.history, self._journal, commands, self.rng)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], strategy: Strategy | None = None) -> Explorer:
+        """Read an explorer that was saved, to go on with it bit by bit as it would have.
+
+        All that was asked and told is done again, with the generator as it was at the beginning;
+        each command must come out as it did. So a strategy of one's own needs nothing but to
+        depend on what it is told and on the generator alone. Nobody else may have drawn from
+        that generator.
+
+        Parameters
+        ----------
+        path : str or path
+        strategy : Strategy, optional
+            One like that which the explorer was made with. It must be given where that has parts
+            of one's own; those built in are in the file.
+
+        Returns
+        -------
+        Explorer
+            With a generator of its own, in ``rng``, and those trials in ``open_trials`` that
+            were under way.
+
+        Raises
+        ------
+        TypeError
+            If `strategy` is none.
+        ValueError
+            If the file is truncated, was not written by `save` or by another version of it,
+            names no strategy and none is given, or the strategy proposes other commands than
+            those in the file.
+        OSError
+            If the file cannot be read.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.Explorer.load("missing")
+        Traceback (most recent call last):
+            ...
+        FileNotFoundError: [Errno 2] No such file or directory: 'missing'
+        """
+        if strategy is not None and not isinstance(strategy, Strategy):
+            raise TypeError(f"strategy must be a Strategy, got {type(strategy).__name__}")
+        return saved.read(path, cls, strategy)
 
     def result(self, *, keep_commands: bool = True) -> Exploration:
         """Return all that was told so far as an Exploration, to plot or save.

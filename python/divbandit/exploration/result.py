@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from divbandit import _files
+from divbandit._checks import whole
 from divbandit.box import Box
+from divbandit.history import Failure
 from divbandit.measures.template import copy_of, covering
 
 if TYPE_CHECKING:
@@ -43,6 +45,8 @@ class Exploration:
     diversities : numpy.ndarray of float64, shape (n, q), or None
         What the bandit believed of each of its q strategies when it chose (NaN where the history
         was written to by hand); None where the strategy is no bandit.
+    failures : tuple of Failure
+        The evaluations that came to nothing; they are not among the n.
 
     Examples
     --------
@@ -58,6 +62,7 @@ class Exploration:
     effects: NDArray[np.float64]
     paths: NDArray[np.int64]
     diversities: NDArray[np.float64] | None
+    failures: tuple[Failure, ...] = ()
 
     def __post_init__(self) -> None:
         if self.commands is None:
@@ -114,6 +119,7 @@ class Exploration:
             history.effects.copy(),
             paths,
             diversities,
+            history.failures,
         )
 
     def __len__(self) -> int:
@@ -233,6 +239,9 @@ class Exploration:
             arrays["sensory_space"] = np.array([box.low, box.high])
         if self.diversities is not None:
             arrays["diversities"] = self.diversities
+        if self.failures:
+            arrays["failed_commands"] = np.array([failure.command for failure in self.failures])
+            arrays["failed_why"] = _files.from_json([failure[1:] for failure in self.failures])
         _files.write(path, _FORMAT, _VERSION, arrays)
 
     @classmethod
@@ -285,4 +294,18 @@ class Exploration:
             _files.array(arrays, "effects", np.float64, (n, width)),
             paths,
             diversities,
+            _failures(arrays, motor_space.dim),
         )
+
+
+def _failures(arrays: dict[str, NDArray[Any]], dim: int) -> tuple[Failure, ...]:
+    """Return the failures that a file tells of."""
+    if "failed_why" not in arrays:
+        return ()
+    reasons = _files.to_json(arrays, "failed_why")
+    commands = _files.array(arrays, "failed_commands", np.float64, (len(reasons), dim))
+    commands.flags.writeable = False
+    return tuple(
+        Failure(command, str(reason), tuple(whole("path", i, low=0) for i in path), place)
+        for command, (reason, path, place) in zip(commands, reasons, strict=True)
+    )

@@ -10,8 +10,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-def many(name: str, value: ArrayLike, dim: int) -> NDArray[np.float64]:
+def many(name: str, value: ArrayLike, dim: int | None) -> NDArray[np.float64]:
     """Return `value` as finite points of shape (n, dim), or say what is wrong with it.
+
+    Where `dim` is None any dimension will do.
 
     Examples
     --------
@@ -19,8 +21,9 @@ def many(name: str, value: ArrayLike, dim: int) -> NDArray[np.float64]:
     (3, 2)
     """
     array = _reals(name, value)
-    if array.ndim != 2 or array.shape[1] != dim:
-        raise ValueError(f"{name} must have shape (n, {dim}), got {_shape(array)}")
+    if array.ndim != 2 or array.shape[1] < 1 or dim not in {None, array.shape[1]}:
+        width = "s" if dim is None else dim
+        raise ValueError(f"{name} must have shape (n, {width}), got {_shape(array)}")
     return _finite(name, array)
 
 

@@ -1,0 +1,117 @@
+"""Recipes: built-in parts as the arguments they were made with, in words that JSON can write.
+
+A built-in class keeps each argument of its constructor as an attribute of the same name. So a
+part can be written down as the name of its class and these arguments, and made again. What it
+has learned since is not in a recipe.
+"""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+from typing import Any
+
+import numpy as np
+
+#: Where the classes of recipes may come from.
+_PACKAGES = ("strategies", "bandits", "measures", "adapters", "box")
+
+
+class NoRecipeError(Exception):
+    """A part cannot be written down; the text says which."""
+
+
+def recipe_of(part: object) -> Any:  # noqa: ANN401 - what JSON can write
+    """Return the recipe of a part, with the parts that it is made of.
+
+    Raises
+    ------
+    NoRecipeError
+        If one of them is not built in.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> recipe_of(db.GoalBabbling(0.25))
+    {'class': 'strategies.goal_babbling.GoalBabbling', 'arguments': {'d': 0.25}, 'number': 0}
+    """
+    return _Writer().write(part)
+
+
+def made_from(recipe: Any) -> Any:  # noqa: ANN401 - what JSON can write, and any part
+    """Return the part that a recipe is of.
+
+    Raises
+    ------
+    ValueError
+        If it is no recipe of built-in parts.
+    Exception
+        What the parts raise when they are made.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> made_from(recipe_of(db.Mixture([db.MotorBabbling(), db.GoalBabbling(0.25)])))
+    Mixture([MotorBabbling(), GoalBabbling(0.25)], weights=[1.0, 1.0])
+    """
+    return _Reader().read(recipe)
+
+
+class _Writer:
+    """Writes parts; one that occurs twice is written once."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[int, int] = {}
+
+    def write(self, value: object) -> Any:  # noqa: ANN401
+        if isinstance(value, np.generic):
+            value = value.item()
+        if value is None or isinstance(value, (bool, str, int, float)):
+            return value
+        if isinstance(value, (list, tuple, np.ndarray)):
+            return [self.write(item) for item in value]
+        if id(value) in self._numbers:
+            return {"same as": self._numbers[id(value)]}
+        return self._write_part(value)
+
+    def _write_part(self, value: object) -> Any:  # noqa: ANN401
+        kind = type(value)
+        prefix, name = __package__ + ".", f"{kind.__module__}.{kind.__qualname__}"
+        if not name.startswith(prefix) or "<" in name:
+            raise NoRecipeError(f"{kind.__name__} is no built-in part")
+        number = self._numbers[id(value)] = len(self._numbers)
+        arguments = {}
+        for parameter in inspect.signature(kind).parameters.values():
+            if parameter.kind in {parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD}:
+                continue
+            if not hasattr(value, parameter.name):
+                raise NoRecipeError(f"{kind.__name__} does not tell its {parameter.name}")
+            argument = getattr(value, parameter.name)
+            if argument is not None:
+                arguments[parameter.name] = self.write(argument)
+        return {"class": name.removeprefix(prefix), "arguments": arguments, "number": number}
+
+
+class _Reader:
+    """Makes parts; one that occurred twice is made once."""
+
+    def __init__(self) -> None:
+        self._made: dict[int, object] = {}
+
+    def read(self, value: Any) -> Any:  # noqa: ANN401
+        if isinstance(value, list):
+            return [self.read(item) for item in value]
+        if not isinstance(value, dict):
+            return value
+        if "same as" in value:
+            return self._made[value["same as"]]
+        package, _, name = str(value["class"]).rpartition(".")
+        if package.split(".")[0] not in _PACKAGES:
+            raise ValueError(f"class must be a built-in part, got {value['class']!r}")
+        kind = getattr(importlib.import_module(f"{__package__}.{package}"), name)
+        if not isinstance(kind, type) or kind.__module__ != f"{__package__}.{package}":
+            raise ValueError(f"class must be a built-in part, got {value['class']!r}")
+        arguments = {key: self.read(argument) for key, argument in value["arguments"].items()}
+        made = kind(**arguments)
+        self._made[value["number"]] = made
+        return made

@@ -1,0 +1,117 @@
+"""Journal: what an explorer was asked and told, in order, so that it can be done again."""
+
+from __future__ import annotations
+
+from array import array
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    import numpy as np
+    from numpy.random import Generator
+    from numpy.typing import NDArray
+
+
+class Event:
+    """What can happen to an explorer; the number that goes with it is in brackets.
+
+    Plain numbers: an enumeration takes three times as long to note.
+    """
+
+    ASK = 0
+    ASK_MANY = 1  # how many trials
+    TELL = 2  # the number of the trial
+    TELL_MANY = 3  # how many trials, each of them noted behind it
+    FAIL = 4  # the number of the trial
+    WRITTEN = 5  # how many effects came into the history past the explorer
+
+
+#: Added to an event: the strategy raised an exception.
+_RAISED = 8
+_SHIFT = 4
+
+
+class Journal:
+    """All that happened to an explorer, in eight bytes an event, and how it began.
+
+    Attributes
+    ----------
+    generator_state : dict or None
+        That of its generator at the beginning; None where it tells none.
+    events : array of int
+        As `note` left them.
+    failed : list of int
+        The numbers of the trials that failed, in order.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> journal = Journal(np.random.default_rng(0))
+    >>> journal.note(Event.ASK, 0)
+    >>> journal.note(Event.TELL, 0, raised=True)
+    >>> list(events_of(journal.events))
+    [(0, 0, False), (2, 0, True)]
+    """
+
+    __slots__ = ("events", "failed", "generator_state")
+
+    def __init__(self, rng: Generator) -> None:
+        self.generator_state: dict[str, Any] | None = None
+        with suppress(NotImplementedError):  # a bit generator of one's own need not tell it
+            self.generator_state = dict(rng.bit_generator.state)
+        self.events = array("q")
+        self.failed: list[int] = []
+
+    def note(self, event: int, number: int, *, raised: bool = False) -> None:
+        """Note that something happened.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> journal = Journal(np.random.default_rng(0))
+        >>> journal.note(Event.ASK_MANY, 3)
+        >>> len(journal.events)
+        1
+        """
+        self.events.append(number << _SHIFT | event | (_RAISED if raised else 0))
+
+    def note_many(self, event: int, numbers: Iterable[int], *, raised: bool = False) -> None:
+        """Note that something happened to several trials at once.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> journal = Journal(np.random.default_rng(0))
+        >>> journal.note_many(Event.TELL_MANY, [7, 5])
+        >>> list(events_of(journal.events))
+        [(3, 2, False), (2, 7, False), (2, 5, False)]
+        """
+        told = [number << _SHIFT | Event.TELL for number in numbers]
+        self.note(event, len(told), raised=raised)
+        self.events.extend(told)
+
+
+def events_of(events: Iterable[int]) -> Iterator[tuple[int, int, bool]]:
+    """Return each event, its number, and whether the strategy raised an exception.
+
+    Examples
+    --------
+    >>> list(events_of([3 << 4 | 1]))
+    [(1, 3, False)]
+    """
+    for code in events:
+        yield code & (_RAISED - 1), code >> _SHIFT, bool(code & _RAISED)
+
+
+def kinds_and_numbers(events: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return all events at once, and their numbers.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> kinds_and_numbers(np.array([3 << 4 | 1]))
+    (array([1]), array([3]))
+    """
+    return events & (_RAISED - 1), events >> _SHIFT

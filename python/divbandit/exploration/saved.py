@@ -1,0 +1,196 @@
+"""Files of explorers: what was asked and told, from which all else is made again."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from divbandit import _files
+from divbandit._recipe import NoRecipeError, made_from, recipe_of
+from divbandit.box import Box
+from divbandit.exploration.journal import Event, events_of, kinds_and_numbers
+from divbandit.exploration.replay import OtherwiseError, Past, replay
+from divbandit.strategies.base import Strategy
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Mapping
+
+    from numpy.random import Generator
+    from numpy.typing import NDArray
+
+    from divbandit.exploration.explorer import Explorer
+    from divbandit.exploration.journal import Journal
+    from divbandit.history import History
+
+_FORMAT = "divbandit explorer"
+_VERSION = 1
+
+#: The bit generators whose state a file can hold.
+_BIT_GENERATORS = {
+    kind.__name__: kind
+    for kind in (
+        np.random.PCG64,
+        np.random.PCG64DXSM,
+        np.random.MT19937,
+        np.random.Philox,
+        np.random.SFC64,
+    )
+}
+
+
+class _Saved(NamedTuple):
+    """What is in a file."""
+
+    motor_space: Box
+    sensory_space: Box | None
+    #: As it was at the beginning, or None if it was not made of built-in parts alone.
+    strategy: Strategy | None
+    #: What it was called.
+    name: str
+    generator: Generator
+    #: Its state when the file was written.
+    state: dict[str, Any]
+    past: Past
+
+
+def write(
+    path: str | os.PathLike[str],
+    strategy: Strategy,
+    history: History,
+    journal: Journal,
+    under_way: Mapping[int, NDArray[np.float64]],
+    rng: Generator,
+) -> None:
+    """Write what happened to an explorer; `under_way` are the commands of its open trials."""
+    kind = type(rng.bit_generator)
+    if type(rng) is not np.random.Generator or kind not in _BIT_GENERATORS.values():
+        raise ValueError(
+            f"rng must be a Generator of one of NumPy's own bit generators to be saved, got {rng!r}"
+        )
+    recipe = None
+    with suppress(NoRecipeError):
+        recipe = recipe_of(strategy)
+    events = np.array(journal.events, dtype=np.int64)
+    told, written, numbers = _rows(events)
+    commands = np.empty(
+        (len(told) + len(history.failures) + len(under_way), history.motor_space.dim)
+    )
+    commands[numbers] = history.commands[told]
+    for number, failure in zip(journal.failed, history.failures, strict=True):
+        commands[number] = failure.command
+    for number, command in under_way.items():
+        commands[number] = command
+    words = {
+        "strategy": recipe,
+        "name": repr(strategy),
+        "generator": kind.__name__,
+        "state": {"before": _plain(journal.generator_state), "after": _plain(rng_state(rng))},
+        "paths": [history.paths[row] for row in written],
+        "reasons": [failure.reason for failure in history.failures],
+    }
+    space, goals = history.motor_space, history.sensory_space
+    arrays: dict[str, NDArray[Any]] = {
+        "motor_space": np.array([space.low, space.high]),
+        "words": _files.from_json(words),
+        "events": events,
+        "commands": commands,
+        "effects": history.effects,
+        "written": history.commands[written],
+    }
+    if goals is not None:
+        arrays["sensory_space"] = np.array([goals.low, goals.high])
+    # Random commands can hardly be compressed, and a robot is saved after each trial.
+    _files.write(path, _FORMAT, _VERSION, arrays, compress=False)
+
+
+def read(path: str | os.PathLike[str], kind: type[Explorer], strategy: Strategy | None) -> Explorer:
+    """Return the explorer that was written, in the state that it was in."""
+    saved = _files.read(path, _FORMAT, _VERSION, _from_arrays, writer="Explorer.save")
+    if strategy is None:
+        if saved.strategy is None:
+            raise ValueError(
+                f"strategy must be given: the explorer's, {saved.name}, is not made of built-in "
+                "parts alone, and so is not in the file"
+            )
+        strategy = saved.strategy
+    explorer = kind(strategy, saved.motor_space, saved.sensory_space, rng=saved.generator)
+    try:
+        replay(explorer, saved.past)
+    except OtherwiseError as error:
+        raise ValueError(
+            f"strategy must be one that does again what the saved one, {saved.name}, did, but "
+            f"{error}: it is another, depends on more than what it is told and its generator, or "
+            "somebody else drew from that generator"
+        ) from error.__cause__
+    explorer.rng.bit_generator.state = saved.state
+    return explorer
+
+
+def rng_state(rng: Generator) -> dict[str, Any]:
+    """Return the state of a generator.
+
+    Examples
+    --------
+    >>> sorted(rng_state(np.random.default_rng(0)))
+    ['bit_generator', 'has_uint32', 'state', 'uinteger']
+    """
+    return dict(rng.bit_generator.state)
+
+
+def _rows(
+    events: NDArray[np.int64],
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Return which rows of the history were told, which others wrote, and what trials were told."""
+    kinds, numbers = kinds_and_numbers(events)
+    lengths = np.where(kinds == Event.TELL, 1, np.where(kinds == Event.WRITTEN, numbers, 0))
+    origin = np.repeat(kinds, lengths)
+    told, written = (np.flatnonzero(origin == kind) for kind in (Event.TELL, Event.WRITTEN))
+    return told, written, numbers[kinds == Event.TELL]
+
+
+def _plain(value: Any) -> Any:  # noqa: ANN401 - a state may hold anything that JSON can, and arrays
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return {"dtype": value.dtype.name, "values": value.tolist()}
+    return int(value) if isinstance(value, np.integer) else value
+
+
+def _restored(value: Any) -> Any:  # noqa: ANN401
+    if isinstance(value, dict) and set(value) == {"dtype", "values"}:
+        return np.array(value["values"], dtype=value["dtype"])
+    if isinstance(value, dict):
+        return {key: _restored(item) for key, item in value.items()}
+    return value
+
+
+def _from_arrays(arrays: dict[str, NDArray[Any]]) -> _Saved:
+    """Read the arrays of a file, which may hold anything."""
+    words = _files.to_json(arrays, "words")
+    motor_space = Box(*_files.array(arrays, "motor_space", np.float64, (2, None)))
+    sensory_space = None
+    if "sensory_space" in arrays:
+        sensory_space = Box(*_files.array(arrays, "sensory_space", np.float64, (2, None)))
+    m = motor_space.dim
+    events = _files.array(arrays, "events", np.int64, (None,))
+    bit_generator = _BIT_GENERATORS[words["generator"]]()
+    after, before = (_restored(words["state"][when]) for when in ("after", "before"))
+    for state in (after, before):  # the first is only tried
+        bit_generator.state = state
+    past = Past(
+        list(events_of(events.tolist())),
+        _files.array(arrays, "commands", np.float64, (None, m)),
+        _files.array(arrays, "effects", np.float64, (None, None)),
+        _files.array(arrays, "written", np.float64, (None, m)),
+        [tuple(path) for path in words["paths"]],
+        [str(reason) for reason in words["reasons"]],
+    )
+    past.check()
+    strategy = None if words["strategy"] is None else made_from(words["strategy"])
+    if not isinstance(strategy, (Strategy, type(None))):
+        raise TypeError(f"strategy must be a Strategy, got {type(strategy).__name__}")
+    rng = np.random.Generator(bit_generator)
+    return _Saved(motor_space, sensory_space, strategy, str(words["name"]), rng, after, past)

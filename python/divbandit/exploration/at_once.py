@@ -34,7 +34,7 @@ def explore_at_once(
     TypeError, ValueError
         If `executor` is none or `in_flight` no such number.
     RuntimeError
-        If not a single evaluation has come to anything; its cause is the last one's.
+        If not a single evaluation has come to anything; it says why the last one did not.
     BrokenExecutor
         If the executor itself breaks down.
 
@@ -65,22 +65,22 @@ def explore_at_once(
                 asked += 1
             done, _ = wait(under_way, return_when=FIRST_COMPLETED)
             for future in [future for future in under_way if future in done]:
-                _finish(explorer, under_way.pop(future), future, is_last=not under_way)
+                _finish(explorer, under_way.pop(future), future)
     finally:
         for future in under_way:
             future.cancel()
+    if len(explorer.history) == 0:
+        failures = explorer.history.failures
+        raise RuntimeError(f"all {len(failures)} evaluations failed, last: {failures[-1].reason}")
 
 
-def _finish(explorer: Explorer, trial: Trial, future: Future[ArrayLike], *, is_last: bool) -> None:
+def _finish(explorer: Explorer, trial: Trial, future: Future[ArrayLike]) -> None:
     """Tell the effect, or that there is none."""
     try:
         effect = as_point("effect", future.result(), explorer.history.effect_dim)
     except BrokenExecutor:
         raise
-    except Exception as error:
+    except Exception as error:  # noqa: BLE001 - a black box may raise anything
         explorer.fail(trial, f"{type(error).__name__}: {error}")
-        if is_last and len(explorer.history) == 0:
-            failed = len(explorer.history.failures)
-            raise RuntimeError(f"all of {failed} evaluations have failed") from error
     else:
         explorer.tell(trial, effect)

@@ -64,6 +64,11 @@ class Schedule(Composite):
         self._phase = 0
         self._proposed = 0
 
+    @property
+    def phases(self) -> tuple[tuple[int | None, Strategy], ...]:
+        """Each strategy, with its number of steps before it."""
+        return tuple(zip(self.steps, self.strategies, strict=True))
+
     def choose(self, history: History, rng: Generator) -> int:
         """Return the current phase; nothing is drawn."""
         del history, rng
@@ -81,4 +86,4 @@ class Schedule(Composite):
         return description.engine.schedule(parts, steps, self._phase, self._proposed)
 
     def __repr__(self) -> str:
-        return f"Schedule({list(zip(self.steps, self.strategies, strict=True))!r})"
+        return f"Schedule({list(self.phases)!r})"

@@ -1,0 +1,182 @@
+"""Evaluations through executors: as many as asked for, never more under way, failures survived."""
+
+import os
+import threading
+import time
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from concurrent.futures import ThreadPoolExecutor as Threads
+from multiprocessing import get_context
+
+import numpy as np
+import pytest
+
+import divbandit as db
+
+ARM = db.PlanarArm(4)
+ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
+
+
+class AtOnce(Executor):
+    """Evaluates when it is asked to, in the same thread."""
+
+    def submit(self, function, *arguments):
+        future = Future()
+        try:
+            future.set_result(function(*arguments))
+        except Exception as error:  # noqa: BLE001 - handed on
+            future.set_exception(error)
+        return future
+
+
+def box(function):
+    return db.FunctionEnvironment(function, ARM.motor_space, ARM.sensory_space)
+
+
+def test_one_at_a_time_is_the_plain_loop():
+    plain = db.explore(ARM, ADAPT, n=200, rng=0)
+    for executor in (AtOnce(), Threads(1), Threads(3)):
+        with executor:
+            run = db.explore(ARM, ADAPT, n=200, rng=0, executor=executor, in_flight=1)
+        assert run.commands.tobytes() == plain.commands.tobytes()
+        assert run.diversities.tobytes() == plain.diversities.tobytes()
+        assert run.failures == ()
+
+
+def test_several_under_way_are_asked_before_any_is_told():
+    """With an executor that is done at once it is asking for k, telling all, and so on."""
+    run = db.explore(ARM, ADAPT, n=200, rng=0, executor=AtOnce(), in_flight=5)
+    explorer = db.Explorer(ADAPT, ARM.motor_space, ARM.sensory_space, rng=0)
+    for _ in range(40):
+        for trial in [explorer.ask() for _ in range(5)]:
+            explorer.tell(trial, ARM(trial.command))
+    assert run.effects.tobytes() == explorer.result().effects.tobytes()
+
+
+def test_never_more_under_way_than_allowed_and_mostly_as_many():
+    lock, now, seen = threading.Lock(), [0], []
+
+    def slow(command):
+        with lock:
+            now[0] += 1
+            seen.append(now[0])
+        time.sleep(0.002)
+        with lock:
+            now[0] -= 1
+        return ARM(command)
+
+    with Threads(8) as executor:
+        run = db.explore(box(slow), ADAPT, n=100, rng=0, executor=executor, in_flight=3)
+    assert len(run) == 100
+    assert max(seen) == 3
+    assert seen.count(3) > 50
+
+
+def test_late_ones_are_told_late():
+    """The first evaluation takes longer than all others: it is the last to be known."""
+    first, rest = threading.Event(), []
+
+    def black_box(command):
+        if not rest and not first.is_set():
+            first.set()
+            rest.append(command)
+            while len(rest) < 20:
+                time.sleep(0.001)
+        else:
+            rest.append(command)
+        return ARM(command)
+
+    with Threads(2) as executor:
+        run = db.explore(box(black_box), ADAPT, n=20, rng=0, executor=executor, in_flight=2)
+    assert run.commands[-1].tolist() == rest[0].tolist()
+    assert run.effects.tolist() == ARM(run.commands).tolist()
+
+
+@pytest.mark.parametrize("in_flight", [1, 4])
+def test_evaluations_that_raise_are_survived(in_flight):
+    def fragile(command):
+        if command[0] > 1:
+            raise RuntimeError("fell over")
+        return ARM(command) if command[0] > -2 else [np.nan, 0.0]
+
+    with Threads(4) as executor:
+        run = db.explore(box(fragile), ADAPT, n=200, rng=0, executor=executor, in_flight=in_flight)
+    assert len(run) + len(run.failures) == 200
+    assert (run.commands[:, 0] <= 1).all()
+    assert (run.commands[:, 0] > -2).all()
+    reasons = {failure.reason for failure in run.failures}
+    assert reasons == {
+        "RuntimeError: fell over",
+        "ValueError: effect[0] must be finite, got NaN",
+    }
+    for failure in run.failures:
+        assert failure.command[0] > 1 or failure.command[0] <= -2
+
+
+def test_nothing_but_failures_is_an_error():
+    def broken(command):
+        raise KeyError(len(command))
+
+    with (
+        Threads(2) as executor,
+        pytest.raises(RuntimeError, match="all 7 evaluations failed, last: KeyError: 4"),
+    ):
+        db.explore(box(broken), ADAPT, n=7, rng=0, executor=executor, in_flight=3)
+
+
+def pid_and_tip(command):
+    return [os.getpid(), float(ARM(command)[0])]
+
+
+def die(command):
+    os._exit(len(command))
+
+
+@pytest.mark.parametrize("method", ["spawn", "forkserver"])
+def test_processes(method):
+    environment = db.FunctionEnvironment(pid_and_tip, ARM.motor_space)
+    with ProcessPoolExecutor(2, mp_context=get_context(method)) as executor:
+        run = db.explore(
+            environment, db.MotorBabbling(), n=50, rng=0, executor=executor, in_flight=4
+        )
+    assert os.getpid() not in run.effects[:, 0]
+    assert run.effects[:, 1].tolist() == ARM(run.commands)[:, 0].tolist()
+
+
+def test_an_executor_that_breaks_down_is_an_error():
+    environment = db.FunctionEnvironment(die, ARM.motor_space)
+    with (
+        ProcessPoolExecutor(1, mp_context=get_context("spawn")) as executor,
+        pytest.raises(BrokenExecutor),
+    ):
+        db.explore(environment, db.MotorBabbling(), n=5, rng=0, executor=executor, in_flight=2)
+
+
+def test_what_a_strategy_raises_is_no_failed_evaluation():
+    class Broken(db.MotorBabbling):
+        def observe(self, trial, effect):
+            raise ZeroDivisionError(trial.number, len(effect))
+
+    with Threads(2) as executor, pytest.raises(ZeroDivisionError):
+        db.explore(ARM, Broken(), n=5, rng=0, executor=executor, in_flight=2)
+
+
+BAD = {
+    "no executor": ({"executor": 7, "in_flight": 2}, TypeError, "executor must be"),
+    "no number": ({"executor": AtOnce()}, ValueError, "in_flight must be given"),
+    "zero": ({"executor": AtOnce(), "in_flight": 0}, ValueError, "in_flight must be at least 1"),
+    "a half": ({"executor": AtOnce(), "in_flight": 0.5}, TypeError, "in_flight must be a whole"),
+    "nowhere": ({"in_flight": 2}, ValueError, "in_flight must be given with an executor"),
+    "in Rust": (
+        {"executor": AtOnce(), "in_flight": 2, "engine": "rust"},
+        ValueError,
+        "engine must not",
+    ),
+}
+
+
+@pytest.mark.parametrize(("options", "error", "words"), BAD.values(), ids=BAD)
+def test_bad_arguments_are_refused_before_anything_is_drawn(options, error, words):
+    rng = np.random.default_rng(0)
+    with pytest.raises(error, match=words):
+        db.explore(ARM, ADAPT, n=5, rng=rng, **options)
+    assert rng.random() == np.random.default_rng(0).random()

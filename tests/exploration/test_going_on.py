@@ -1,0 +1,287 @@
+"""An explorer that was saved and loaded goes on bit by bit as it would have."""
+
+from contextlib import suppress
+
+import numpy as np
+import pytest
+
+import divbandit as db
+from tests.compositions import NAMES, compositions
+
+ARM = db.PlanarArm(4)
+
+
+def new_explorer(strategy, rng=0, goals=ARM.sensory_space):
+    return db.Explorer(strategy, ARM.motor_space, goals, rng=rng)
+
+
+def everything(explorer):
+    run = explorer.result()
+    beliefs = None if run.diversities is None else run.diversities.tobytes()
+    return (
+        run.commands.tobytes(),
+        run.effects.tobytes(),
+        run.paths.tolist(),
+        beliefs,
+        explorer.strategy.diversities,
+        [(f.command.tolist(), *f[1:]) for f in run.failures],
+        [(t.number, t.command.tolist(), t.path, t.goal is None) for t in explorer.open_trials],
+        str(explorer.rng.bit_generator.state),
+    )
+
+
+def live(explorer, chance, steps):
+    """Ask for one or many, tell late and in any order, singly and in batches, and fail."""
+    for _ in range(steps):
+        if chance.random() < 0.3:
+            explorer.ask(int(chance.integers(1, 6)))
+        else:
+            explorer.ask()
+        under_way = list(explorer.open_trials)
+        chance.shuffle(under_way)
+        done = under_way[: chance.integers(0, len(under_way) + 1)]
+        if chance.random() < 0.3:
+            explorer.tell(done, ARM(np.array([t.command for t in done]).reshape(-1, 4)))
+        else:
+            for trial in done:
+                if chance.random() < 0.2:
+                    explorer.fail(trial, f"reason {trial.number}")
+                else:
+                    explorer.tell(trial, ARM(trial.command))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_it_goes_on_as_it_would_have(name, tmp_path):
+    strategy = compositions()[name]
+    explorer = new_explorer(strategy)
+    live(explorer, np.random.default_rng(1), 30)
+    explorer.save(tmp_path / "run")
+    again = db.Explorer.load(tmp_path / "run", strategy)
+    assert everything(again) == everything(explorer)
+    for each in (explorer, again):
+        live(each, np.random.default_rng(2), 30)
+    assert everything(again) == everything(explorer)
+    again.save(tmp_path / "twice")
+    thrice = db.Explorer.load(tmp_path / "twice", strategy)
+    assert everything(thrice) == everything(explorer)
+
+
+@pytest.mark.parametrize("name", ["adapt of adapts", "schedule of schedules", "mixture of adapts"])
+def test_built_in_parts_need_not_be_given(name, tmp_path):
+    explorer = new_explorer(compositions()[name])
+    live(explorer, np.random.default_rng(1), 20)
+    explorer.save(tmp_path / "run")
+    again = db.Explorer.load(tmp_path / "run")
+    assert repr(again.strategy) == repr(explorer.strategy)
+    assert everything(again) == everything(explorer)
+
+
+def test_a_part_that_occurs_twice_is_one_again(tmp_path):
+    shared = db.Schedule([(3, db.MotorBabbling()), (None, db.GoalBabbling())])
+    explorer = new_explorer(db.Mixture([shared, db.Mixture([shared])]))
+    live(explorer, np.random.default_rng(1), 10)
+    explorer.save(tmp_path / "run")
+    again = db.Explorer.load(tmp_path / "run")
+    outer, inner = again.strategy.strategies
+    assert outer is inner.strategies[0]
+    assert everything(again) == everything(explorer)
+
+
+@pytest.mark.parametrize("kind", ["PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64"])
+def test_every_bit_generator_of_numpy(kind, tmp_path):
+    rng = np.random.Generator(getattr(np.random, kind)(5))
+    rng.integers(10, dtype=np.uint32)  # leaves half of a number over
+    explorer = new_explorer(db.Adapt([db.MotorBabbling(), db.GoalBabbling()]), rng)
+    live(explorer, np.random.default_rng(1), 20)
+    explorer.save(tmp_path / "run")
+    again = db.Explorer.load(tmp_path / "run")
+    assert everything(again) == everything(explorer)
+    assert again.rng.integers(10**9, dtype=np.uint32) == rng.integers(10**9, dtype=np.uint32)
+
+
+class Learning(db.Strategy):
+    """One of a user's own, which learns from all that it is told."""
+
+    def __init__(self):
+        self.gains = []
+
+    def propose(self, history, rng):
+        space = history.motor_space
+        share = rng.random(space.dim) * 0.5 + 0.1 * (len(self.gains) % 5)
+        return space.low + (space.high - space.low) * share
+
+    def observe(self, trial, effect):
+        self.gains.append(float(effect[0]) + float(trial.command[0]))
+        if len(self.gains) == 7:
+            raise RuntimeError("the seventh")
+
+    def fail(self, trial, reason):
+        del trial
+        self.gains.append(float(len(reason)))
+
+
+def test_a_strategy_of_ones_own_must_be_given_and_learns_all_again(tmp_path):
+    explorer = new_explorer(db.Adapt([Learning(), db.GoalBabbling()]))
+    for _ in range(40):
+        trial = explorer.ask()
+        with suppress(RuntimeError):
+            explorer.tell(trial, ARM(trial.command))
+    assert len(explorer.strategy.strategies[0].gains) > 7
+    explorer.save(tmp_path / "run")
+    with pytest.raises(ValueError, match="strategy must be given: the explorer's, Adapt"):
+        db.Explorer.load(tmp_path / "run")
+    again = db.Explorer.load(tmp_path / "run", db.Adapt([Learning(), db.GoalBabbling()]))
+    assert again.strategy.strategies[0].gains == explorer.strategy.strategies[0].gains
+    assert everything(again) == everything(explorer)
+
+
+def test_a_proposal_that_was_refused_is_made_again(tmp_path):
+    class Careless(db.MotorBabbling):
+        def propose(self, history, rng):
+            command = super().propose(history, rng).command
+            return 9 * command if command[0] > 2 else command
+
+    explorer = new_explorer(Careless())
+    refused = 0
+    for _ in range(40):
+        try:
+            trial = explorer.ask()
+        except ValueError:
+            refused += 1
+        else:
+            explorer.tell(trial, ARM(trial.command))
+    assert 0 < refused < 40
+    explorer.save(tmp_path / "run")
+    assert everything(db.Explorer.load(tmp_path / "run", Careless())) == everything(explorer)
+
+
+def test_what_was_known_before_comes_along(tmp_path):
+    """Effects that somebody put into the history by hand, before and in between."""
+    explorer = new_explorer(db.Adapt([db.MotorBabbling(), db.GoalBabbling()]))
+    for step in range(30):
+        if step % 7 in {0, 1}:
+            explorer.history.append([0.1 * step] * 4 if step < 20 else [0.5] * 4, [0, 0], path=(1,))
+        trial = explorer.ask()
+        explorer.tell(trial, ARM(trial.command))
+    explorer.history.append([0.0] * 4, [1, 0])
+    explorer.save(tmp_path / "run")
+    again = db.Explorer.load(tmp_path / "run")
+    assert everything(again) == everything(explorer)
+    assert again.ask().command.tolist() == explorer.ask().command.tolist()
+
+
+def test_no_sensory_space_and_nothing_told(tmp_path):
+    for told in (0, 3):
+        explorer = db.Explorer(db.MotorBabbling(), ARM.motor_space, rng=0)
+        for _ in range(told):
+            explorer.tell(explorer.ask(), [1.0, 2.0, 3.0])
+        explorer.save(tmp_path / "run")
+        again = db.Explorer.load(tmp_path / "run")
+        assert again.history.sensory_space is None
+        assert everything(again) == everything(explorer)
+
+
+def test_another_strategy_is_refused(tmp_path):
+    explorer = new_explorer(db.GoalBabbling(0.05))
+    live(explorer, np.random.default_rng(0), 20)
+    explorer.save(tmp_path / "run")
+    for other in (db.GoalBabbling(0.06), db.MotorBabbling(), db.Mixture([db.GoalBabbling(0.05)])):
+        with pytest.raises(
+            ValueError, match=r"does again what the saved one, GoalBabbling\(0.05\)"
+        ):
+            db.Explorer.load(tmp_path / "run", other)
+    with pytest.raises(TypeError, match="strategy must be a Strategy, got int"):
+        db.Explorer.load(tmp_path / "run", 7)
+
+
+def test_a_generator_that_others_drew_from_is_refused(tmp_path):
+    rng = np.random.default_rng(0)
+    explorer = new_explorer(db.MotorBabbling(), rng)
+    for _ in range(3):
+        explorer.tell(explorer.ask(), [rng.random(), 0.0])
+    explorer.save(tmp_path / "run")
+    with pytest.raises(ValueError, match="somebody else drew from that generator"):
+        db.Explorer.load(tmp_path / "run")
+
+
+def test_generators_that_cannot_be_written(tmp_path):
+    class Mine(np.random.Generator):
+        pass
+
+    explorer = new_explorer(db.MotorBabbling(), Mine(np.random.PCG64(0)))
+    with pytest.raises(ValueError, match="rng must be a Generator of one of NumPy's own"):
+        explorer.save(tmp_path / "run")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_nothing_is_pickled(tmp_path):
+    explorer = new_explorer(compositions()["adapt of adapts"])
+    live(explorer, np.random.default_rng(0), 10)
+    explorer.save(tmp_path / "run")
+    with np.load(tmp_path / "run", allow_pickle=False) as saved:
+        assert not any(array.dtype.hasobject for array in saved.values())
+
+
+def rewritten(source, target, **changed):
+    with np.load(source) as saved:
+        arrays = dict(saved.items())
+    arrays |= changed
+    with target.open("wb") as file:
+        np.savez(file, **arrays)
+
+
+DAMAGED = {
+    "older": {"format": lambda a: np.array(["divbandit explorer", "0", *a["format"][2:]])},
+    "newer": {"format": lambda a: np.array(["divbandit explorer", "2", *a["format"][2:]])},
+    "foreign": {"format": lambda a: np.array(["divbandit exploration", *a["format"][1:]])},
+    "an effect less": {"effects": lambda a: a["effects"][:-1]},
+    "a command less": {"commands": lambda a: a["commands"][:-1]},
+    "an event less": {"events": lambda a: a["events"][:-1]},
+    "an unknown event": {"events": lambda a: a["events"] | 7},
+    "told twice": {"events": lambda a: np.append(a["events"], a["events"][-1])},
+    "negative": {"events": lambda a: -a["events"]},
+    "no words": {"words": lambda a: a["words"][:-1]},
+    "a strategy that is none": {
+        "words": lambda a: np.frombuffer(
+            a["words"].tobytes().replace(b"goal_babbling.GoalBabbling", b"base.Trial"), np.uint8
+        )
+    },
+    "a strategy from elsewhere": {
+        "words": lambda a: np.frombuffer(
+            a["words"].tobytes().replace(b"strategies.goal_babbling.GoalBabbling", b"os.system"),
+            np.uint8,
+        )
+    },
+    "a command that is no number": {"commands": lambda a: a["commands"] * np.nan},
+    "another effect": {"effects": lambda a: a["effects"][:, :1]},
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGED.values(), ids=DAMAGED)
+def test_damaged_files_are_refused(damage, tmp_path):
+    explorer = new_explorer(db.GoalBabbling(0.05))
+    for _ in range(10):
+        trial = explorer.ask()
+        explorer.tell(trial, ARM(trial.command))
+    explorer.save(tmp_path / "run")
+    with np.load(tmp_path / "run") as saved:
+        arrays = dict(saved.items())
+    rewritten(tmp_path / "run", tmp_path / "bad", **{name: f(arrays) for name, f in damage.items()})
+    with pytest.raises(ValueError, match=r"^(path must be a file written by|strategy must be one)"):
+        db.Explorer.load(tmp_path / "bad")
+
+
+def test_truncated_and_foreign_files_are_refused(tmp_path):
+    explorer = new_explorer(db.GoalBabbling(0.05))
+    live(explorer, np.random.default_rng(0), 10)
+    explorer.save(tmp_path / "run")
+    whole = (tmp_path / "run").read_bytes()
+    (tmp_path / "text").write_text("hello")
+    explorer.result().save(tmp_path / "exploration")
+    for length in (0, 1, 100, len(whole) // 2, len(whole) - 1):
+        (tmp_path / "part").write_bytes(whole[:length])
+        with pytest.raises(ValueError, match=r"path must be a file written by Explorer\.save"):
+            db.Explorer.load(tmp_path / "part")
+    for name in ("text", "exploration"):
+        with pytest.raises(ValueError, match=r"path must be a file written by Explorer\.save"):
+            db.Explorer.load(tmp_path / name)

@@ -159,6 +159,7 @@ def local_regression(
     goal: ArrayLike,
     k: int,
     ridge: float,
+    reach: float,
     d: float,
     effects: NearestNeighbors,
     commands: ArrayLike,

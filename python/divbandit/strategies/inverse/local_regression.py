@@ -59,7 +59,7 @@ class LocalRegression:
     """
 
     def __init__(
-        self, k: int = 10, d: float = 0.05, *, ridge: float = 1e-3, reach: float = 2.0
+        self, k: int = 10, d: float = 0.05, *, ridge: float = 1e-3, reach: float = 1.0
     ) -> None:
         self.k = whole("k", k, low=1, high=MOST_NEIGHBOURS)
         self.d = real("d", d, low=0.0, high=1.0)
@@ -91,7 +91,7 @@ class LocalRegression:
         >>> history = db.History(db.Box([0], [1]))
         >>> history.append([0.25], [7.0])
         >>> history.append([0.5], [9.0])
-        >>> model = db.LocalRegression(d=0.0, ridge=1e-9)
+        >>> model = db.LocalRegression(d=0.0, ridge=1e-9, reach=3.0)
         >>> model.command([10.0], history, np.random.default_rng(0)).round(6)
         array([0.625])
         """

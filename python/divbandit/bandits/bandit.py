@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import copy
-from typing import TYPE_CHECKING, Any
+from collections import deque
+from typing import TYPE_CHECKING, Any, cast
 
 from divbandit._checks import real, whole
 from divbandit._engine import NotBuiltInError, without_replacements
@@ -133,6 +134,16 @@ class Bandit(Composite):
         """
         return Bandit._choose(self, history, rng, own=True)[0]
 
+    def _choose_many(
+        self, history: History, n: int, rng: Generator
+    ) -> Sequence[tuple[int, float | None]]:
+        kind = type(self._rule)
+        if "choose" in self.__dict__ or kind is not Proportional:
+            return super()._choose_many(history, n, rng)
+        if history is not self._history:
+            self._begin(history)
+        return self._rule.choose_many(self._memory, n, rng)  # type: ignore[no-any-return]
+
     def _choose(
         self, history: History, rng: Generator, *, own: bool = False
     ) -> tuple[int, float | None]:
@@ -179,25 +190,27 @@ class Bandit(Composite):
             return
         if not trials:
             return
-        if self._history is None or any(trial.place is None for trial in trials):
+        places = [trial.place for trial in trials]
+        if self._history is None or None in places:
             first = self._newest() + 1 - len(trials)
-            for row, trial in enumerate(trials):
-                trial.place = first + row
+            places = list(range(first, first + len(trials)))
+            for place, trial in zip(places, trials, strict=True):
+                trial.place = place
         if self._dim is None:
             self._learn_dimension()
         credits_ = self._credit.of_many(trials, effects, self._history)
-        for row, credit in enumerate(credits_):
-            if type(credit) is not float or not -_MOST <= credit <= _MOST:
-                credits_[row] = _credited(credit)
+        credits_ = [
+            credit if type(credit) is float and -_MOST <= credit <= _MOST else _credited(credit)
+            for credit in credits_
+        ]
         super().observe_many(trials, effects)
-        self._told = max(self._told, 1 + max(trial.place or 0 for trial in trials))
-        add = self._memory.add
-        for trial, credit in zip(trials, credits_, strict=True):
-            add(trial.path[0], credit)
+        self._told = max(self._told, 1 + max(cast("list[int]", places)))
+        parts = [trial.path[0] for trial in trials]
+        deque(map(self._memory.add, parts, credits_), maxlen=0)
         if self._rule_learns:
             learn = self._rule.learn  # type: ignore[attr-defined]
-            for trial, credit in zip(trials, credits_, strict=True):
-                learn(trial.path[0], credit, trial.probability)
+            for part, credit, trial in zip(parts, credits_, trials, strict=True):
+                learn(part, credit, trial.probability)
 
     @property
     def learns_at_once(self) -> bool:

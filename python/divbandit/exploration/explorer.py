@@ -153,7 +153,7 @@ class Explorer:
         try:
             proposed = Trial.of(self._strategy.propose(self.history, self.rng))
             command = self._checked(proposed)
-            trial = self._give_out(proposed, command, self._strategy.diversities)
+            (trial,) = self._give_out([proposed], [command], self._strategy.diversities)
         except BaseException:
             self._journal.note(Event.ASK, 0, raised=True)
             raise
@@ -173,10 +173,7 @@ class Explorer:
             except (TypeError, ValueError):  # one by one tells which it was
                 commands = np.array([self._checked(trial) for trial in proposed])
                 commands.flags.writeable = False
-            trials = [
-                self._give_out(trial, command, beliefs)
-                for trial, command in zip(proposed, commands, strict=True)
-            ]
+            trials = self._give_out(proposed, list(commands), beliefs)
         except BaseException:
             self._journal.note(Event.ASK_MANY, n, raised=True)
             raise
@@ -192,15 +189,24 @@ class Explorer:
             raise type(error)(f"{error} ({who})") from None
 
     def _give_out(
-        self, proposed: Trial, command: NDArray[np.float64], beliefs: tuple[float, ...] | None
-    ) -> Trial:
-        number = self._asked
-        trial = Trial(command, goal=proposed.goal)
-        trial.path, trial.inner, trial.number = proposed.path, proposed, number
-        trial.probability = proposed.probability
-        self._open[number] = (trial, command, proposed, beliefs)
-        self._asked = number + 1
-        return trial
+        self,
+        proposals: list[Trial],
+        commands: list[NDArray[np.float64]],
+        beliefs: tuple[float, ...] | None,
+    ) -> list[Trial]:
+        """Return trials of the explorer's own, which are under way from now on."""
+        number, under_way, new = self._asked, self._open, object.__new__
+        trials = []
+        for proposed, command in zip(proposals, commands, strict=True):
+            trial = new(Trial)  # quicker than by its constructor
+            trial.command, trial.goal, trial.path = command, proposed.goal, proposed.path
+            trial.inner, trial.number = proposed, number
+            trial.place, trial.probability = None, proposed.probability
+            under_way[number] = (trial, command, proposed, beliefs)
+            number += 1
+            trials.append(trial)
+        self._asked = number
+        return trials
 
     @overload
     def tell(self, trial: Trial, effect: ArrayLike) -> None: ...
@@ -262,9 +268,11 @@ class Explorer:
 
     def _find(self, trial: Trial) -> tuple[int, Open]:
         """Return the number of a trial that is under way, and what is known of it."""
-        number = trial.number
+        number: int | None = getattr(trial, "number", None)
         known = None if number is None else self._open.get(number)
         if number is None or known is None or known[0] is not trial:
+            if not isinstance(trial, Trial):
+                raise TypeError(f"trial must hold Trials only, got {type(trial).__name__}")
             raise ValueError(_NOT_MINE)
         return number, known
 
@@ -277,9 +285,6 @@ class Explorer:
         if not isinstance(trials, Sequence):
             kind = type(trials).__name__
             raise TypeError(f"trial must be a Trial, or a sequence of them, got {kind}")
-        for trial in trials:
-            if not isinstance(trial, Trial):
-                raise TypeError(f"trial must hold Trials only, got {type(trial).__name__}")
         found = dict(map(self._find, trials))
         if len(found) < len(trials):
             raise ValueError("trial must hold each trial once")
@@ -302,13 +307,13 @@ class Explorer:
         if place != self._known:
             self._note_what_others_wrote()
         trials, commands, proposals, beliefs = zip(*found.values(), strict=True)
-        for row, (trial, proposed) in enumerate(zip(trials, proposals, strict=True), place):
+        under_way, known = self._open, self._beliefs
+        rows = zip(found, trials, proposals, beliefs, strict=True)
+        for row, (number, trial, proposed, believed) in enumerate(rows, place):
             trial.place = proposed.place = row
-        self._beliefs.update(
-            (row, believed) for row, believed in enumerate(beliefs, place) if believed is not None
-        )
-        for number in found:
-            del self._open[number]
+            if believed is not None:
+                known[row] = believed
+            del under_way[number]
         self.history.record_many(np.array(commands), points, [each.path for each in proposals])
         self._known = place + len(found)
         try:

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from divbandit.history import History
 
 
+_new = object.__new__
+
+
 class Trial:
     """A motor command that a strategy proposes, and why.
 
@@ -75,7 +78,7 @@ class Trial:
         """
         return proposal if isinstance(proposal, Trial) else cls(proposal)
 
-    def proposed_by(self, index: int, *, probability: float | None = None) -> Trial:
+    def proposed_by(self, index: int, probability: float | None = None) -> Trial:
         """Return this trial as one of a composite strategy, whose part `index` proposed it.
 
         Parameters
@@ -90,10 +93,12 @@ class Trial:
         >>> db.Trial([0.5]).proposed_by(1).proposed_by(0).path
         (0, 1)
         """
-        trial = Trial(self.command, goal=self.goal)
+        # Set one by one: a call of the constructor would double the time that this takes.
+        trial = _new(Trial)
+        trial.command, trial.goal = self.command, self.goal
         trial.path = (index, *self.path)
-        trial.inner = self
-        trial.probability = probability
+        trial.inner, trial.probability = self, probability
+        trial.number = trial.place = None
         return trial
 
     def __repr__(self) -> str:
@@ -229,9 +234,13 @@ class Strategy(ABC):
     @property
     def learns_at_once(self) -> bool:
         """Whether `observe_many` comes to the same as calls of `observe` in between appends."""
+        return self.learns_nothing or type(self).observe_many is not Strategy.observe_many
+
+    @property
+    def learns_nothing(self) -> bool:
+        """Whether nothing is learned from effects, so that nobody need tell of them."""
         kind = type(self)
-        learns_nothing = kind.observe is Strategy.observe
-        return learns_nothing or kind.observe_many is not Strategy.observe_many
+        return kind.observe is Strategy.observe and kind.observe_many is Strategy.observe_many
 
     def fail(self, trial: Trial, reason: str) -> None:  # noqa: B027
         """Learn that a trial of one's own came to nothing: there is no effect.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from divbandit._checks import whole
@@ -88,22 +89,25 @@ class Composite(Strategy):
         """Let the chosen strategy propose."""
         index, probability = self._choose(history, rng)
         proposal = Trial.of(self.strategies[index].propose(history, rng))
-        return proposal.proposed_by(index, probability=probability)
+        return proposal.proposed_by(index, probability)
 
     def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
         """Choose `n` times; then let each strategy, in order, propose all of its share."""
-        choices = [self._choose(history, rng) for _ in range(n)]
-        shares: dict[int, list[int]] = {}
-        for place, (index, _) in enumerate(choices):
-            shares.setdefault(index, []).append(place)
-        trials: dict[int, Trial] = {}
-        for index in sorted(shares):
-            places = shares[index]
-            proposals = self.strategies[index].propose_many(history, len(places), rng)
-            for place, proposal in zip(places, proposals, strict=True):
-                probability = choices[place][1]
-                trials[place] = Trial.of(proposal).proposed_by(index, probability=probability)
-        return [trials[place] for place in range(n)]
+        choices = self._choose_many(history, n, rng)
+        shares = Counter([index for index, _ in choices])
+        proposals = {
+            index: iter(self.strategies[index].propose_many(history, shares[index], rng))
+            for index in sorted(shares)
+        }
+        return [
+            next(proposals[index]).proposed_by(index, probability) for index, probability in choices
+        ]
+
+    def _choose_many(
+        self, history: History, n: int, rng: Generator
+    ) -> Sequence[tuple[int, float | None]]:
+        """Return what `n` calls of `_choose` return."""
+        return [self._choose(history, rng) for _ in range(n)]
 
     def _choose(self, history: History, rng: Generator) -> tuple[int, float | None]:
         """Return who is to propose next, and with which probability that was chosen."""
@@ -118,6 +122,8 @@ class Composite(Strategy):
 
     def observe_many(self, trials: Sequence[Trial], effects: NDArray[np.float64]) -> None:
         """Tell each strategy, in order, of all the trials that it proposed."""
+        if all(strategy.learns_nothing for strategy in self.strategies):
+            return
         shares: dict[int, list[int]] = {}
         for row, trial in enumerate(trials):
             _part_of(trial).place = trial.place

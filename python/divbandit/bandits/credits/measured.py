@@ -52,7 +52,7 @@ class Measured(ABC):
     ) -> list[float]:
         """Return the gains of effects, each given all before it in the history."""
         del effects  # those of others in between are in the history alone
-        places = [_place_of(trial) for trial in trials]
+        places = [trial.place if trial.place is not None else _place_of(trial) for trial in trials]
         if not places:
             return []
         first, end = min(places), max(places) + 1

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from divbandit import _core
 from divbandit._checks import real
+from divbandit.strategies.composite import total_of
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -60,33 +63,58 @@ class Proportional:
 
     def choose(self, memory: Memory, rng: Generator) -> tuple[int, float]:
         """Draw a strategy: two ``rng.random()``."""
-        uniformly = rng.random() < self.alpha
-        u = rng.random()
-        weights = [max(0.0, mean) for mean in memory.means]
-        if self.power != 1.0:
-            weights = self._powers(weights)
-        total = 0.0
-        for weight in weights:
-            total += weight
-        count = len(weights)
+        weights = self._weights(memory)
+        total = total_of(weights)
+        index = self._index(weights, total, rng.random() < self.alpha, rng.random())
+        return index, self._probability(weights[index], total, len(weights))
+
+    def choose_many(self, memory: Memory, n: int, rng: Generator) -> list[tuple[int, float]]:
+        """Return what `n` calls of `choose` return: two ``rng.random()`` each."""
+        weights = self._weights(memory)
+        total, count = total_of(weights), len(weights)
+        choices = [(j, self._probability(weight, total, count)) for j, weight in enumerate(weights)]
+        first, u = rng.random((n, 2)).T
+        uniformly = (u * count).astype(np.int64)
         if total <= 0.0:
-            return int(u * count), 1.0 / count
-        if uniformly:
-            index = int(u * count)
-        else:
-            left = u * total
-            index = last = 0
-            for weight in weights:
-                if left < weight:
-                    break
-                left -= weight
-                if weight > 0.0:
-                    last = index
-                index += 1
-            else:
-                index = last  # rounding carried u past the end
-        alpha = self.alpha
-        return index, alpha / count + (1.0 - alpha) * weights[index] / total
+            return [choices[index] for index in uniformly.tolist()]
+        # As `_index`, but for all at once: the same subtractions, and so the same choices.
+        left = u * total
+        indices = np.full(n, max(j for j, weight in enumerate(weights) if weight > 0.0))
+        undecided = first >= self.alpha
+        for index, weight in enumerate(weights):
+            here = undecided & (left < weight)
+            indices[here] = index
+            undecided &= ~here
+            left -= weight
+        indices = np.where(first < self.alpha, uniformly, indices)
+        return [choices[index] for index in indices.tolist()]
+
+    def _weights(self, memory: Memory) -> list[float]:
+        """Return what strategies are chosen in proportion to."""
+        weights = [mean if mean > 0.0 else 0.0 for mean in memory.means]
+        return weights if self.power == 1.0 else self._powers(weights)
+
+    @staticmethod
+    def _index(weights: list[float], total: float, uniformly: bool, u: float) -> int:  # noqa: FBT001
+        """Return what the draws stand for."""
+        if uniformly or total <= 0.0:
+            return int(u * len(weights))
+        left = u * total
+        last = 0
+        for index, weight in enumerate(weights):
+            if left < weight:
+                return index
+            left -= weight
+            if weight > 0.0:
+                last = index
+        return last  # rounding carried u past the end
+
+    def _probability(self, weight: float, total: float, count: int) -> float:
+        """Return with which probability a strategy of this weight is chosen."""
+        if total <= 0.0:
+            return 1.0 / count
+        # Rounding may carry the sum one unit beyond 1.
+        return min(1.0, self.alpha / count + (1.0 - self.alpha) * weight / total)
 
     def _powers(self, weights: list[float]) -> list[float]:
         """Return powers of the weights' shares of the largest: none overflows, not all vanish."""

@@ -13,6 +13,7 @@ CORE = (
     "Bounds",
     "Coverage",
     "Engine",
+    "ExactSum",
     "NearestNeighbors",
     "PlanarArm",
     "as_point",

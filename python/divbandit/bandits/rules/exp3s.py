@@ -50,7 +50,7 @@ class Exp3S:
     >>> rule.begin(2, 6.0)
     >>> rule.learn(1, 3.0, 0.5)
     >>> [round(p, 6) for p in rule.probabilities()]
-    [0.469636, 0.530364]
+    [0.469635, 0.530365]
     """
 
     def __init__(self, gamma: float = 0.1, alpha: float = 0.001) -> None:

@@ -327,7 +327,7 @@ def _probability(probability: object) -> float | None:
     """Return the probability of a choice as a float, if it is known."""
     if probability is None:
         return None
-    number = real("probability of rule.choose()", probability, low=0.0, high=1.0)
+    number = real("probability of rule.choose()", probability, low=0.0, high=1.0 + 1e-9)
     if number == 0.0:
         raise ValueError("probability of rule.choose() must be positive for what it chose, got 0.0")
-    return number
+    return min(1.0, number)  # what sums and products of probabilities lead to is rounded

@@ -78,7 +78,7 @@ class RecentWindow(Remembering):
         self._sums[part].add(credit)
         self._stale.add(part)
         if self._unbounded:
-            self.widen(credit)
+            self._widen(credit)
 
     @property
     def means(self) -> list[float]:

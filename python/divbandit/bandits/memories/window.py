@@ -81,7 +81,7 @@ class Window(Remembering):
         window.append(credit)
         self._stale.add(part)
         if self._unbounded:
-            self.widen(credit)
+            self._widen(credit)
 
     @property
     def means(self) -> list[float]:

@@ -46,6 +46,7 @@ class Exp3S:
 
     Examples
     --------
+    >>> from divbandit.bandits import Exp3S
     >>> rule = Exp3S(0.5, 0.01)
     >>> rule.begin(2, 6.0)
     >>> rule.learn(1, 3.0, 0.5)
@@ -72,6 +73,7 @@ class Exp3S:
 
         Examples
         --------
+        >>> from divbandit.bandits import Exp3S
         >>> rule = Exp3S(0.5, 0.01)
         >>> rule.begin(4, 1.0)
         >>> rule.probabilities()
@@ -86,13 +88,14 @@ class Exp3S:
         del memory
         probabilities = self.probabilities()
         index = proportionally(probabilities, rng.random())
-        return index, probabilities[index]
+        return index, min(1.0, probabilities[index])
 
     def learn(self, part: int, credit: float, probability: float | None) -> None:
         """Let the weight of a strategy grow by what it earned, and all by a share of the sum.
 
         Examples
         --------
+        >>> from divbandit.bandits import Exp3S
         >>> rule = Exp3S(1.0, 0.1)
         >>> rule.begin(2, 1.0)
         >>> rule.learn(0, 1.0, None)

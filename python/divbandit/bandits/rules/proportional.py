@@ -92,7 +92,8 @@ class Proportional:
                 index += 1
             else:
                 index = last  # rounding carried u past the end
-        return index, alpha / count + (1.0 - alpha) * weights[index] / total
+        probability = alpha / count + (1.0 - alpha) * weights[index] / total
+        return index, probability if probability < 1.0 else 1.0  # noqa: FURB136 - a step's time
 
     def _weigh(self, means: Sequence[float]) -> None:
         """Take note of what each strategy weighs."""

@@ -200,7 +200,7 @@ class Bandit(Composite):
             return
         if not trials:
             return
-        self._place(trials)
+        last = self._last_of(trials)
         if self._dim is None:
             self._learn_dimension()
         earned = self._credit.of_many(trials, effects, self._history)
@@ -208,7 +208,7 @@ class Bandit(Composite):
             if type(credit) is not float or not -_MOST <= credit <= _MOST:
                 earned[row] = _credited(credit)
         super().observe_many(trials, effects)
-        self._told = max(self._told, 1 + max(trial.place or 0 for trial in trials))
+        self._told = max(self._told, last + 1)
         add = self._memory.add
         for trial, credit in zip(trials, earned, strict=True):
             add(trial.path[0], credit)
@@ -234,12 +234,14 @@ class Bandit(Composite):
         if self._rule_learns:
             self._rule.learn(part, 0.0, probability)
 
-    def _place(self, trials: Sequence[Trial]) -> None:
-        """Say where the effects of trials are that were told by hand: the newest."""
-        if self._history is None or any(trial.place is None for trial in trials):
+    def _last_of(self, trials: Sequence[Trial]) -> int:
+        """Return the last place of the trials' effects; if told by hand, these are the newest."""
+        places = [-1 if trial.place is None else trial.place for trial in trials]
+        if self._history is None or -1 in places:
             first = self._newest() + 1 - len(trials)
             for row, trial in enumerate(trials):
-                trial.place = first + row
+                trial.place = places[row] = first + row
+        return max(places)
 
     def _newest(self) -> int:
         """Return the place of the newest effect, of which the bandit was not told yet."""

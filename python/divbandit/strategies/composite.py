@@ -172,7 +172,11 @@ def proportionally(weights: Iterable[float], u: float) -> int:
     `u` is uniform in [0, 1).
     """
     weights = list(weights)
-    total = total_of(weights)
+    return share_of(weights, total_of(weights), u)
+
+
+def share_of(weights: Sequence[float], total: float, u: float) -> int:
+    """Return what `proportionally` does, given the sum of the weights."""
     if total <= 0.0:
         return int(u * len(weights))
     left = u * total

@@ -8,7 +8,7 @@ import numpy as np
 
 from divbandit import _core
 from divbandit._checks import real
-from divbandit.strategies.composite import total_of
+from divbandit.strategies.composite import share_of, total_of
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -65,7 +65,8 @@ class Proportional:
         """Draw a strategy: two ``rng.random()``."""
         weights = self._weights(memory)
         total = total_of(weights)
-        index = self._index(weights, total, rng.random() < self.alpha, rng.random())
+        uniformly, u = rng.random() < self.alpha, rng.random()
+        index = int(u * len(weights)) if uniformly else share_of(weights, total, u)
         return index, self._probability(weights[index], total, len(weights))
 
     def choose_many(self, memory: Memory, n: int, rng: Generator) -> list[tuple[int, float]]:
@@ -77,7 +78,7 @@ class Proportional:
         uniformly = (u * count).astype(np.int64)
         if total <= 0.0:
             return [choices[index] for index in uniformly.tolist()]
-        # As `_index`, but for all at once: the same subtractions, and so the same choices.
+        # As `share_of`, but for all at once: the same subtractions, and so the same choices.
         left = u * total
         indices = np.full(n, max(j for j, weight in enumerate(weights) if weight > 0.0))
         undecided = first >= self.alpha
@@ -91,23 +92,8 @@ class Proportional:
 
     def _weights(self, memory: Memory) -> list[float]:
         """Return what strategies are chosen in proportion to."""
-        weights = [mean if mean > 0.0 else 0.0 for mean in memory.means]
+        weights = [max(0.0, mean) for mean in memory.means]
         return weights if self.power == 1.0 else self._powers(weights)
-
-    @staticmethod
-    def _index(weights: list[float], total: float, uniformly: bool, u: float) -> int:  # noqa: FBT001
-        """Return what the draws stand for."""
-        if uniformly or total <= 0.0:
-            return int(u * len(weights))
-        left = u * total
-        last = 0
-        for index, weight in enumerate(weights):
-            if left < weight:
-                return index
-            left -= weight
-            if weight > 0.0:
-                last = index
-        return last  # rounding carried u past the end
 
     def _probability(self, weight: float, total: float, count: int) -> float:
         """Return with which probability a strategy of this weight is chosen."""

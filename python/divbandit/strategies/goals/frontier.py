@@ -90,7 +90,7 @@ class FrontierGoals(BoxedGoals):
         >>> history = db.History(db.Box([0], [1]), db.Box([0], [1]))
         >>> history.append([0.5], [0.0])
         >>> db.FrontierGoals(0.1).sample(history, np.random.default_rng(0))
-        array([0.15395734])
+        array([0.28255112])
         """
         box = self.box_for(history)
         if len(history) == 0:

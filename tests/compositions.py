@@ -1,6 +1,11 @@
 """Every built-in strategy and many compositions of them, by what they are called in a test."""
 
+from functools import partial
+
+import optuna
+
 import divbandit as db
+from divbandit.adapters import OptunaSampler, RibsEmitter
 
 
 def compositions():
@@ -39,6 +44,23 @@ def compositions():
         ),
         "mixture of adapts": db.Mixture([db.Adapt([rmb(), rgb(0.05)]), rmb()]),
         "schedule, then adapt": db.Schedule([(10, rmb()), (None, db.Adapt([rmb(), rgb(0.05)]))]),
+        **adapted(),
+    }
+
+
+def adapted():
+    """Return strategies of other libraries; few of each, as they are slow."""
+    wide = db.Box([-2, -3], [2, 3])
+    return {
+        "steps along lines, of pyribs": RibsEmitter("line", box=wide),
+        "evolution, of pyribs": RibsEmitter("evolution", box=wide, cells=50),
+        "tree of Parzen estimators, of Optuna": OptunaSampler(
+            partial(optuna.samplers.TPESampler, n_startup_trials=5), tau=0.05
+        ),
+        "evolution, of Optuna": OptunaSampler(optuna.samplers.CmaEsSampler),
+        "adapt of other libraries": db.Adapt(
+            [OptunaSampler(optuna.samplers.RandomSampler), RibsEmitter(box=wide)], tau=0.05
+        ),
     }
 
 

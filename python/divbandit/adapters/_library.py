@@ -41,7 +41,7 @@ def seed_from(rng: Generator) -> int:
     --------
     >>> import numpy as np
     >>> seed_from(np.random.default_rng(0))
-    2735729614
+    2735729615
     """
     return int(rng.random() * 2**32)
 

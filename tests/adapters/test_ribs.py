@@ -19,16 +19,11 @@ UNEVEN = db.FunctionEnvironment(
 )
 
 
-def recording(archive, seed, log, size=6):
-    """Return an evolution strategy that writes down what it is told."""
-    unit = [(0.0, 1.0)] * archive.solution_dim
+def recording(archive, seed, log, *, ends=(0.0, 1.0), sigma0=0.2):
+    """Return an evolution strategy that writes down what it is told, six at a time."""
+    dim = archive.solution_dim
     emitter = EvolutionStrategyEmitter(
-        archive,
-        x0=[0.5] * archive.solution_dim,
-        sigma0=0.2,
-        bounds=unit,
-        batch_size=size,
-        seed=seed,
+        archive, x0=[0.5] * dim, sigma0=sigma0, bounds=[ends] * dim, batch_size=6, seed=seed
     )
     emitter.__class__ = type("Recording", (EvolutionStrategyEmitter,), {"tell": partial_tell(log)})
     return emitter
@@ -148,6 +143,16 @@ def test_a_failed_trial_stands_for_the_worst_of_its_batch():
     assert told["value"][2] == told["value"][3] == pytest.approx(-0.8)
 
 
+def test_a_failed_trial_has_not_entered_the_archive_where_all_others_have():
+    explorer, log = explorer_and_log()
+    trials = [explorer.ask() for _ in range(6)]
+    for step, trial in enumerate(trials[:5]):
+        explorer.tell(trial, [step / 5, 0.5])
+    explorer.fail(trials[5], "no power")
+    explorer.ask()
+    assert log[0][3]["status"].tolist() == [2, 2, 2, 2, 2, 0]
+
+
 def test_a_batch_that_failed_as_a_whole_is_forgotten():
     explorer, log = explorer_and_log()
     for _ in range(20):
@@ -191,6 +196,42 @@ def test_more_than_a_batch_under_way():
     assert len(explorer.strategy.running.archive) == len(whole)
     later = np.array([explorer.ask().command for _ in range(5)])
     assert len(np.unique(np.vstack([commands, later]), axis=0)) == 25
+
+
+class Counting(EmitterBase):
+    """Asks for one solution: how many it has asked for, how many elites there are."""
+
+    def __init__(self, archive):
+        super().__init__(archive, solution_dim=4, bounds=None, lower_bounds=None, upper_bounds=None)
+        self.asked = 0
+
+    def ask(self):
+        self.asked += 1
+        return np.array([[self.asked / 100, len(self.archive) / 100, 0, 0]])
+
+    def tell(self, solution, objective, measures, add_info, **fields):
+        """Say that it learns."""
+
+
+def test_surplus_trials_go_on_where_the_batch_ended_and_see_the_archive():
+    strategy = RibsEmitter(lambda archive, _: Counting(archive))
+    unit = db.Box([0] * 4, [1] * 4)
+    explorer = db.Explorer(strategy, unit, db.Box([0, 0], [1, 1]), rng=0)
+
+    def ask():
+        trial = explorer.ask()
+        return trial, (trial.command[:2] * 100).round().astype(int).tolist()
+
+    first, seen = ask()
+    assert seen == [1, 0]
+    second, seen = ask()
+    assert seen == [2, 0]
+    explorer.tell(second, [0.1, 0.1])
+    third, seen = ask()
+    assert seen == [3, 1]
+    explorer.tell(first, [0.9, 0.9])
+    explorer.tell(third, [0.1, 0.9])
+    assert ask()[1] == [4, 3]
 
 
 def test_a_steady_number_under_way():
@@ -243,9 +284,21 @@ def test_what_leaves_the_motor_space_is_clipped():
     wild = RibsEmitter(
         lambda archive, seed: GaussianEmitter(archive, sigma=5.0, x0=[0.5] * 4, seed=seed)
     )
-    commands = db.explore(ARM, wild, n=70, rng=0).commands
-    ends = np.isin(commands, [ARM.motor_space.low[0], ARM.motor_space.high[0]])
+    explorer = db.Explorer(wild, ARM.motor_space, ARM.sensory_space, rng=0)
+    for _ in range(70):
+        trial = explorer.ask()
+        explorer.tell(trial, ARM(trial.command))
+    ends = np.isin(explorer.history.commands, [ARM.motor_space.low[0], ARM.motor_space.high[0]])
     assert ends.mean() > 0.5
+
+
+def test_what_is_told_is_clipped_as_well():
+    log = []
+
+    wild = partial(recording, log=log, ends=(-9.0, 9.0), sigma0=5.0)
+    db.explore(ARM, RibsEmitter(wild), n=13, rng=0)
+    assert all(0 <= solution.min() < solution.max() <= 1 for solution, *_ in log)
+    assert len(log) == 2
 
 
 def test_an_emitter_that_asks_for_nothing():

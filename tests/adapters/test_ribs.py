@@ -293,7 +293,7 @@ def test_what_leaves_the_motor_space_is_clipped():
 
 
 def test_what_is_told_is_clipped_as_well():
-    log = []
+    log = Shared()
 
     wild = partial(recording, log=log, ends=(-9.0, 9.0), sigma0=5.0)
     db.explore(ARM, RibsEmitter(wild), n=13, rng=0)

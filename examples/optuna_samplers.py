@@ -9,15 +9,17 @@ import optuna
 
 import divbandit as db
 from divbandit.adapters import OptunaSampler
+from divbandit.bandits import CoverageGain
 
 arm = db.PlanarArm(6)
+GAIN = CoverageGain(0.05)
 TPE = partial(optuna.samplers.TPESampler, n_startup_trials=20)
 parts = {
-    "random": OptunaSampler(optuna.samplers.RandomSampler, tau=0.05),
-    "CMA-ES": OptunaSampler(optuna.samplers.CmaEsSampler, tau=0.05),
-    "TPE": OptunaSampler(TPE, tau=0.05),
-    # By default a sampler optimises the gain of its effects; it may also be told what to want.
-    "TPE, to the right": OptunaSampler(TPE, objective=lambda effect, _: float(effect[0])),
+    "random": OptunaSampler(optuna.samplers.RandomSampler, credit=GAIN),
+    "CMA-ES": OptunaSampler(optuna.samplers.CmaEsSampler, credit=GAIN),
+    "TPE": OptunaSampler(TPE, credit=GAIN),
+    # A sampler optimises what each of its effects newly covers, or whatever else is wanted.
+    "TPE, to the right": OptunaSampler(TPE, credit=lambda effect, _: float(effect[0])),
 }
 adapt = db.Adapt(parts.values(), tau=0.05)
 for name, strategy in {**parts, "ADAPT": adapt}.items():

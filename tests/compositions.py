@@ -3,9 +3,11 @@
 from functools import partial
 
 import optuna
+from mabwiser.mab import LearningPolicy
 
 import divbandit as db
-from divbandit.adapters import OptunaSampler, RibsEmitter
+from divbandit.adapters import MabwiserRule, OptunaSampler, RibsEmitter
+from divbandit.bandits import CoverageGain, WholePast
 
 
 def compositions():
@@ -55,9 +57,15 @@ def adapted():
         "steps along lines, of pyribs": RibsEmitter("line", box=wide),
         "evolution, of pyribs": RibsEmitter("evolution", box=wide, cells=50),
         "tree of Parzen estimators, of Optuna": OptunaSampler(
-            partial(optuna.samplers.TPESampler, n_startup_trials=5), tau=0.05
+            partial(optuna.samplers.TPESampler, n_startup_trials=5)
         ),
         "evolution, of Optuna": OptunaSampler(optuna.samplers.CmaEsSampler),
+        "bandit by a policy of MABWiser": db.Bandit(
+            [db.MotorBabbling(), db.GoalBabbling(goals=wide)],
+            credit=CoverageGain(0.05),
+            memory=WholePast(),
+            rule=MabwiserRule(LearningPolicy.UCB1()),
+        ),
         "adapt of other libraries": db.Adapt(
             [OptunaSampler(optuna.samplers.RandomSampler), RibsEmitter(box=wide)], tau=0.05
         ),

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 from mabwiser.mab import MAB, LearningPolicy, NeighborhoodPolicy
 
+import divbandit as db
 from divbandit.adapters import MabwiserRule
+from divbandit.bandits import CoverageGain, WholePast
 
 MEANS = (0.2, 0.8, 0.5)
 
@@ -89,13 +91,70 @@ def test_every_part_is_chosen_before_any_credit_is_known():
     assert set(chosen[3:]) == {0, 1, 2}
 
 
-def test_credits_without_a_bound_are_told_as_they_are():
-    """With an exact policy of no chance, only the order of the means matters."""
-    rule, rng = MabwiserRule(LearningPolicy.EpsilonGreedy(0.0)), np.random.default_rng(0)
+@pytest.mark.parametrize(
+    ("credits_", "best"), [((3.0, 20.0), 1), ((-3.0, 20.0), 1), ((2.0, 0.0), 0)]
+)
+def test_credits_without_a_bound_are_shares_of_the_largest_so_far(credits_, best):
+    """A success is what comes to more than half of the largest so far."""
+    told = []
+
+    def is_large(arm, share):
+        told.append((arm, share))
+        return share > 0.5
+
+    rule, rng = MabwiserRule(LearningPolicy.ThompsonSampling(is_large)), np.random.default_rng(0)
     rule.begin(2, 0.0)
-    for credit in (-30.0, -20.0):
+    for credit in credits_:
         rule.learn(rule.choose(None, rng), credit, None)
-    assert rule.choose(None, rng) == 1
+    assert told[best] == (best, 1.0)
+    assert all(0.0 <= share <= 1.0 for _, share in told)
+
+
+def test_begun_again_before_it_has_learned():
+    """As a bandit does when the first effect tells how large credits can be."""
+    rule, rng = MabwiserRule(LearningPolicy.UCB1()), np.random.default_rng(0)
+    rule.begin(2, 1.0)
+    part = rule.choose(None, rng)
+    rule.begin(2, 4.0)
+    rule.learn(part, 2.0, None)
+    assert [rule.choose(None, rng) for _ in range(2)] == [0, 1]
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_in_a_bandit(policy, dim):
+    """With an effect of another dimension than 2, begun again with the first one."""
+    arm = db.PlanarArm(4)
+    box = db.FunctionEnvironment(lambda x: [*arm(x), 0.0][:dim], arm.motor_space)
+    goals = db.Box([-1] * dim, [1] * dim)
+    parts = [
+        db.MotorBabbling(),
+        db.GoalBabbling(0.01, goals=goals),
+        db.GoalBabbling(1, goals=goals),
+    ]
+    bandit = db.Bandit(
+        parts, credit=CoverageGain(0.05), memory=WholePast(), rule=MabwiserRule(policy)
+    )
+    runs = [db.explore(box, bandit, n=120, rng=0) for _ in range(2)]
+    assert runs[0].commands.tobytes() == runs[1].commands.tobytes()
+    assert set(runs[0].choices) == {0, 1, 2}
+
+
+def test_many_under_way_and_failures():
+    arm = db.PlanarArm(4)
+    bandit = db.Bandit(
+        [db.MotorBabbling(), db.GoalBabbling()],
+        credit=CoverageGain(0.05),
+        memory=WholePast(),
+        rule=MabwiserRule(LearningPolicy.UCB1()),
+    )
+    explorer = db.Explorer(bandit, arm.motor_space, arm.sensory_space, rng=0)
+    for _ in range(20):
+        trials = explorer.ask(7)
+        explorer.fail(trials[3], "no power")
+        told = [*trials[:3], *trials[4:]]
+        explorer.tell(told, [arm(trial.command) for trial in told])
+    assert len(explorer.history) == 120
+    assert len(explorer.history.failures) == 20
 
 
 @pytest.mark.parametrize(

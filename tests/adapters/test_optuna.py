@@ -11,6 +11,7 @@ from optuna.trial import TrialState
 
 import divbandit as db
 from divbandit.adapters import OptunaSampler
+from divbandit.bandits import CoverageGain
 
 ARM = db.PlanarArm(3)
 TPE = partial(optuna.samplers.TPESampler, n_startup_trials=5)
@@ -37,32 +38,32 @@ def test_equals_a_loop_of_optuna(sampler):
         trial = study.ask(ranges)
         commands.append([trial.params[name] for name in ranges])
         study.tell(trial, cover.add(ARM(commands[-1])))
-    run = db.explore(ARM, OptunaSampler(sampler, tau=0.1), n=60, rng=7)
+    run = db.explore(ARM, OptunaSampler(sampler, credit=CoverageGain(0.1)), n=60, rng=7)
     assert run.commands.tolist() == commands
 
 
 def test_optimises_what_it_is_given():
     """It finds the arm's end to the right, which gains alone would not hold it at."""
-    right = OptunaSampler(TPE, objective=lambda effect, _: float(effect[0]))
+    right = OptunaSampler(TPE, credit=lambda effect, _: float(effect[0]))
     run = db.explore(ARM, right, n=120, rng=0)
     assert run.effects[-40:, 0].mean() > 0.75
 
 
-def test_the_objective_sees_its_effect_as_the_newest():
+def test_the_credit_sees_its_effect_as_the_newest():
     seen = []
 
-    def objective(effect, history):
+    def credit(effect, history):
         seen.append((len(history), bool((history.effects[-1] == effect).all())))
         return 0.0
 
-    explorer = db.Explorer(OptunaSampler(objective=objective), ARM.motor_space, rng=0)
+    explorer = db.Explorer(OptunaSampler(credit=credit), ARM.motor_space, rng=0)
     trials = explorer.ask(4)
     explorer.tell(trials, ARM(trials.commands))
     assert seen == [(1, True), (2, True), (3, True), (4, True)]
 
 
 def test_gains_count_what_others_covered():
-    mixture = db.Mixture([OptunaSampler(TPE, tau=0.1), db.MotorBabbling()])
+    mixture = db.Mixture([OptunaSampler(TPE, credit=CoverageGain(0.1)), db.MotorBabbling()])
     explorer = db.Explorer(mixture, ARM.motor_space, rng=0)
     for _ in range(60):
         trial = explorer.ask()
@@ -127,8 +128,8 @@ def test_asked_about_another_history_it_begins_anew():
     ("arguments", "error", "words"),
     [
         ({"sampler": "tpe"}, TypeError, "sampler must be callable, got str"),
-        ({"objective": 3}, TypeError, "objective must be callable, got int"),
-        ({"tau": 0.0}, ValueError, "tau must be"),
+        ({"credit": 3}, TypeError, "credit must be a Credit, such as CoverageGain.*, got int"),
+        ({"credit": CoverageGain}, TypeError, "credit must be .* got the class CoverageGain"),
     ],
 )
 def test_refuses(arguments, error, words):
@@ -137,10 +138,10 @@ def test_refuses(arguments, error, words):
 
 
 def test_refuses_what_it_cannot_measure():
-    with pytest.raises(ValueError, match="of a dimension that OptunaSampler takes, got 40"):
+    with pytest.raises(ValueError, match="of a dimension that CoverageGain takes, got 40"):
         db.Explorer(OptunaSampler(), db.Box([0], [1]), db.Box([0] * 40, [1] * 40))
-    bad = OptunaSampler(objective=lambda *_: float("nan"))
-    with pytest.raises(ValueError, match=r"objective\(\) must be a finite number"):
+    bad = OptunaSampler(credit=lambda *_: float("nan"))
+    with pytest.raises(ValueError, match="credit must be a finite number"):
         db.explore(ARM, bad, n=1, rng=0)
 
 
@@ -153,7 +154,8 @@ def test_refuses_trials_of_others():
 
 
 def test_reads_like_its_constructor():
-    assert repr(OptunaSampler()) == "OptunaSampler(tau=0.02)"
-    assert repr(OptunaSampler(TPE, objective=max)) == (
-        "OptunaSampler(partial(TPESampler, n_startup_trials=5), objective=max)"
+    assert repr(OptunaSampler()) == "OptunaSampler()"
+    assert repr(OptunaSampler(TPE, credit=CoverageGain(0.5))) == (
+        "OptunaSampler(partial(TPESampler, n_startup_trials=5), credit=CoverageGain(0.5))"
     )
+    assert repr(OptunaSampler(credit=max)) == "OptunaSampler(credit=max)"

@@ -73,6 +73,18 @@ def test_optuna_samplers(run):
     assert covered(text)["ADAPT"] > covered(text)["TPE, to the right"]
 
 
+def test_mabwiser_rule(run):
+    text = run("mabwiser_rule")
+    assert list(covered(text)) == ["epsilon-greedy", "UCB1", "Thompson", "ADAPT"]
+    motor_babbling_alone = 0.55  # square metres; the most of twenty seeds, rounded up
+    assert min(covered(text).values()) > motor_babbling_alone
+    for line in text.splitlines():
+        shares = numbers(" ".join(re.findall(r"\d+%", line)))
+        assert len(shares) == 4
+        assert 98 <= sum(shares) <= 102
+        assert shares[2] == max(shares)
+
+
 def test_ask_tell_robot(run):
     loaded, covers, fell = run("ask_tell_robot").splitlines()
     effects, under_way = numbers(loaded)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from divbandit.adapters._library import library, seed_from
+from divbandit.bandits.rules.rewards import Rewards
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -15,8 +16,8 @@ class MabwiserRule:
 
     The policy remembers by itself what it was told, the whole past; the bandit's memory says
     what is believed, and does not decide. Each part is chosen once, in order, before the policy
-    is asked. The policy is told of shares of the largest credit, numbers from 0 to 1, or of the
-    credits themselves where there is no largest.
+    is asked. It is told of credits as shares of the largest, numbers from 0 to 1; where credits
+    have no bound, of the largest so far.
 
     Parameters
     ----------
@@ -38,8 +39,9 @@ class MabwiserRule:
 
     Notes
     -----
-    The first choice draws one ``rng.random()``, the policy's seed, and every choice after the
-    first round that is made before any credit is known, one more.
+    The first choice draws one ``rng.random()``, the policy's seed, which is kept should the bandit
+    begin again. Each choice after the first round that is made before any credit is known draws
+    one more.
 
     Examples
     --------
@@ -68,6 +70,7 @@ class MabwiserRule:
         if isinstance(policy, mab.LearningPolicy.ThompsonSampling) and policy.binarizer is None:
             raise ValueError("policy must be given a binarizer, got ThompsonSampling without one")
         self.policy = policy
+        self._seed: int | None = None
         self.begin(1, 0.0)
 
     def begin(self, parts: int, largest: float) -> None:
@@ -80,7 +83,7 @@ class MabwiserRule:
         >>> MabwiserRule(LearningPolicy.Random()).begin(2, largest=1.0)
         """
         self._parts = parts
-        self._largest = largest
+        self._rewards = Rewards(largest)
         self._chosen = 0
         self._has_learned = False
         self._bandit: Any = None
@@ -98,15 +101,14 @@ class MabwiserRule:
         >>> rule.choose(None, rng), rule.choose(None, rng)
         (0, 1)
         """
-        if self._bandit is None:
-            make = library("mabwiser.mab", user="MabwiserRule").MAB
-            self._bandit = make(list(range(self._parts)), self.policy, seed=seed_from(rng))
+        if self._seed is None:
+            self._seed = seed_from(rng)
         self._chosen += 1
         if self._chosen <= self._parts:
             return self._chosen - 1
         if not self._has_learned:
             return int(rng.random() * self._parts)
-        return int(self._bandit.predict())
+        return int(self._at_work(self._seed).predict())
 
     def learn(self, part: int, credit: float, probability: float | None) -> None:  # noqa: ARG002 - policies weigh all alike
         """Tell the policy what a choice of this part has brought.
@@ -120,11 +122,16 @@ class MabwiserRule:
         >>> rule.begin(2, largest=1.0)
         >>> rule.learn(rule.choose(None, np.random.default_rng(0)), 0.5, None)
         """
-        if self._bandit is None:
+        if self._seed is None:
             raise ValueError("part must have been chosen before its credit is learned")
-        share = credit / self._largest if self._largest > 0.0 else credit
-        self._bandit.partial_fit([part], [share])
+        self._at_work(self._seed).partial_fit([part], [self._rewards.of(credit)])
         self._has_learned = True
+
+    def _at_work(self, seed: int) -> Any:  # noqa: ANN401 - MABWiser has no types
+        if self._bandit is None:
+            make = library("mabwiser.mab", user="MabwiserRule").MAB
+            self._bandit = make(list(range(self._parts)), self.policy, seed=seed)
+        return self._bandit
 
     def __repr__(self) -> str:
         return f"MabwiserRule({self.policy!r})"

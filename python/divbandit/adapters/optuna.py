@@ -1,14 +1,14 @@
-"""OptunaSampler: a sampler of Optuna as a strategy; it optimises the gain of its own effects."""
+"""OptunaSampler: a sampler of Optuna as a strategy; it optimises the credit of its effects."""
 
 from __future__ import annotations
 
+import copy
 import threading
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from divbandit._checks import real
 from divbandit.adapters._library import library, named, seed_from
-from divbandit.measures import Coverage
-from divbandit.measures.template import covering
+from divbandit.bandits import CoverageGain, Credit, FunctionCredit
 from divbandit.strategies.base import Strategy, Trial
 
 if TYPE_CHECKING:
@@ -23,10 +23,9 @@ if TYPE_CHECKING:
 
     from divbandit.box import Box
     from divbandit.history import History
-    from divbandit.measures import Measure
 
     SamplerFactory = Callable[..., BaseSampler]
-    Objective = Callable[[NDArray[np.float64], History], float]
+    Creditor = Credit | Callable[[NDArray[np.float64], History], float]
 
 #: How loud Optuna is belongs to all threads: one at a time turns it down.
 _LOUDNESS = threading.Lock()
@@ -45,8 +44,8 @@ class _OfStudy(Trial):
 class OptunaSampler(Strategy):
     """A sampler of Optuna as a strategy: TPE, CMA-ES, quasi-Monte Carlo and others.
 
-    It proposes what it expects to be worth most, and is told what each of its own effects was
-    worth when it came: by default its gain, the new area that it covered. That shrinks as an
+    It proposes what it expects to be worth most, and is told the credit of each of its own
+    effects as it comes: by default its gain, the new area that it covered. That shrinks as an
     area fills up, whoever fills it, so that a sampler is drawn to what nobody has found; how
     well it follows such a moving target is for a bandit to find out. Trials under way are known
     to the sampler as running; a trial that failed has the state FAIL.
@@ -57,16 +56,14 @@ class OptunaSampler(Strategy):
         What makes a sampler when it is called with ``seed=``: a class such as
         ``optuna.samplers.CmaEsSampler``, or a ``functools.partial`` of one. The default is
         ``optuna.samplers.TPESampler``.
-    objective : callable, optional
-        A function of an effect and the history, whose newest effect it is: what it is worth, a
-        finite number, the larger the better.
-    tau : float
-        Radius of the discs whose area is the gain, in the units of the effects. Where an
-        objective is given it says nothing.
+    credit : Credit or callable, optional
+        What it optimises, the larger the better: a credit as bandits have them, of which each
+        exploration takes a deep copy, or a function ``(effect, history) -> float`` for
+        the newest effect of the history. The default is ``CoverageGain(0.02)``.
 
     Attributes
     ----------
-    sampler, objective, tau
+    sampler, credit
         As given.
 
     Raises
@@ -74,7 +71,7 @@ class OptunaSampler(Strategy):
     ModuleNotFoundError
         If Optuna is not installed.
     TypeError, ValueError
-        If an argument is not what it must be, or the objective gives no finite number.
+        If an argument is not what it must be, or a credit is no finite number.
 
     Notes
     -----
@@ -86,7 +83,8 @@ class OptunaSampler(Strategy):
     >>> import divbandit as db
     >>> from divbandit.adapters import OptunaSampler
     >>> arm = db.PlanarArm(7)
-    >>> adapt = db.Adapt([OptunaSampler(tau=0.05), db.GoalBabbling(0.05)], tau=0.05)
+    >>> sampler = OptunaSampler(credit=db.bandits.CoverageGain(0.05))
+    >>> adapt = db.Adapt([sampler, db.GoalBabbling(0.05)], tau=0.05)
     >>> run = db.explore(arm, adapt, n=50, rng=0)
     >>> run.effects.shape
     (50, 2)
@@ -96,18 +94,15 @@ class OptunaSampler(Strategy):
         self,
         sampler: SamplerFactory | None = None,
         *,
-        objective: Objective | None = None,
-        tau: float = 0.02,
+        credit: Creditor | None = None,
     ) -> None:
         library("optuna", user="OptunaSampler")
-        for name, value in [("sampler", sampler), ("objective", objective)]:
-            if value is not None and not callable(value):
-                raise TypeError(f"{name} must be callable, got {type(value).__name__}")
+        if sampler is not None and not callable(sampler):
+            raise TypeError(f"sampler must be callable, got {type(sampler).__name__}")
         self.sampler = sampler
-        self.objective = objective
-        self.tau = Coverage(tau).tau
+        self.credit = credit
+        self._template = _credit_of(credit)
         self._history: History | None = None
-        self._measured: Measure | None = None
 
     @property
     def study(self) -> Study | None:
@@ -115,9 +110,9 @@ class OptunaSampler(Strategy):
         return None if self._history is None else self._study
 
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:  # noqa: ARG002 - any space will do
-        """Require effects of a dimension that can be measured."""
-        if effect_dim is not None and self.objective is None:
-            covering("OptunaSampler", self.tau, effect_dim)
+        """Require effects of a dimension that can be credited."""
+        if effect_dim is not None:
+            self._template.largest(effect_dim)
 
     def propose(self, history: History, rng: Generator) -> Trial:
         """Ask the study.
@@ -134,12 +129,10 @@ class OptunaSampler(Strategy):
         history = self._history
         if history is None or not isinstance(trial, _OfStudy):
             raise ValueError("trial must be one that this strategy proposed")
-        place = len(history) - 1 if trial.place is None else trial.place
-        if self.objective is None:
-            value = self._gain(effect, place, history)
-        else:
-            value = real("objective()", self.objective(effect, history))
-        self._study.tell(trial.study_number, value)
+        if trial.place is None:
+            trial.place = len(history) - 1
+        credit = real("credit", self._credit.of(trial, effect, history))
+        self._study.tell(trial.study_number, credit)
 
     def fail(self, trial: Trial, reason: str) -> None:  # noqa: ARG002 - Optuna has no place for it
         """Tell the study that the trial has failed."""
@@ -158,29 +151,29 @@ class OptunaSampler(Strategy):
         self._ranges = {name: distribution(*ends) for name, ends in zip(names, ranges, strict=True)}
         make = optuna.samplers.TPESampler if self.sampler is None else self.sampler
         self._study = _study(optuna, make(seed=seed_from(rng)))
-        self._measured = None
+        self._credit = copy.deepcopy(self._template)
         self._history = history
-
-    def _gain(self, effect: NDArray[np.float64], place: int, history: History) -> float:
-        """Return what the effect in this place adds to all before it."""
-        if self._measured is None:
-            self._measured = covering("OptunaSampler", self.tau, len(effect))
-        known = len(self._measured)
-        if known < place:
-            self._measured.extend(history.effects[known:place])
-        return float(self._measured.add(effect))
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Leave out what was measured: it is made anew from the history."""
-        return {**self.__dict__, "_measured": None}
 
     def __repr__(self) -> str:
         words = [] if self.sampler is None else [named(self.sampler)]
-        if self.objective is None:
-            words.append(f"tau={self.tau!r}")
-        else:
-            words.append(f"objective={named(self.objective)}")
+        if self.credit is not None:
+            words.append(f"credit={named(self.credit)}")
         return f"OptunaSampler({', '.join(words)})"
+
+
+def _credit_of(credit: object) -> Credit:
+    """Return a credit, made of a function if that is what was given."""
+    if credit is None:
+        return CoverageGain()
+    if isinstance(credit, Credit) and not isinstance(credit, type):
+        return credit
+    if callable(credit) and not isinstance(credit, type):
+        return FunctionCredit(credit)
+    got = f"the class {credit.__name__}" if isinstance(credit, type) else type(credit).__name__
+    raise TypeError(
+        "credit must be a Credit, such as CoverageGain(0.02), or a function of effect and history, "
+        f"got {got}"
+    )
 
 
 def _study(optuna: ModuleType, sampler: BaseSampler) -> Study:

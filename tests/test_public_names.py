@@ -21,6 +21,12 @@ CORE = (
     "log",
     "normal_quantile",
     "power",
+    "babble",
+    "frontier_goal",
+    "k_nearest",
+    "local_regression",
+    "novel_goal",
+    "uncovered_goal",
 )
 
 

@@ -30,6 +30,14 @@ def real(name: str, value: object, *, low: float = -math.inf, high: float = math
     return number
 
 
+def positive(name: str, value: object) -> float:
+    """Return `value` as a finite float above 0, or say what is wrong with it."""
+    number = real(name, value)
+    if number <= 0.0:
+        raise ValueError(f"{name} must be a positive, finite number, got {value!r}")
+    return number
+
+
 def whole(name: str, value: object, *, low: int, high: int | None = None) -> int:
     """Return `value` as an int in [low, high], or say what is wrong with it."""
     # A plain int, the most common case, needs no look into the register of numbers.
@@ -69,11 +77,3 @@ def generator(rng: Rng) -> Generator:
     if isinstance(rng, Integral) and rng < 0:
         raise ValueError(f"rng must be a seed of at least 0, got {rng!r}")
     return np.random.default_rng(rng)
-
-
-def positive(name: str, value: object) -> float:
-    """Return `value` as a finite float above 0, or say what is wrong with it."""
-    number = real(name, value, low=0.0)
-    if number == 0.0:
-        raise ValueError(f"{name} must be a positive number, got {value!r}")
-    return number

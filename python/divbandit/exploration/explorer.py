@@ -277,15 +277,14 @@ class Explorer:
         if not isinstance(trials, Sequence):
             kind = type(trials).__name__
             raise TypeError(f"trial must be a Trial, or a sequence of them, got {kind}")
-        found: dict[int, Open] = {}
         for trial in trials:
             if not isinstance(trial, Trial):
                 raise TypeError(f"trial must hold Trials only, got {type(trial).__name__}")
-            number, known = self._find(trial)
-            found[number] = known
+        found = dict(map(self._find, trials))
         if len(found) < len(trials):
             raise ValueError("trial must hold each trial once")
-        points = many("effect", effects, self.history.effect_dim)
+        points = many("effect", effects, self.history.effect_dim).copy()
+        points.flags.writeable = False
         if len(points) != len(found):
             raise ValueError(f"effect must have shape ({len(found)}, s), got {points.shape}")
         if not found:
@@ -302,15 +301,15 @@ class Explorer:
         place = len(self.history)
         if place != self._known:
             self._note_what_others_wrote()
-        proposals = []
-        for row, (number, (trial, _, proposed, beliefs)) in enumerate(found.items(), place):
-            if beliefs is not None:
-                self._beliefs[row] = beliefs
+        trials, commands, proposals, beliefs = zip(*found.values(), strict=True)
+        for row, (trial, proposed) in enumerate(zip(trials, proposals, strict=True), place):
             trial.place = proposed.place = row
-            proposals.append(proposed)
+        self._beliefs.update(
+            (row, believed) for row, believed in enumerate(beliefs, place) if believed is not None
+        )
+        for number in found:
             del self._open[number]
-        commands = np.array([command for _, command, _, _ in found.values()])
-        self.history.record_many(commands, points, [trial.path for trial in proposals])
+        self.history.record_many(np.array(commands), points, [each.path for each in proposals])
         self._known = place + len(found)
         try:
             self._strategy.observe_many(proposals, points)

@@ -64,7 +64,7 @@ class CompetenceProgress:
         _, nearest = self._before(place, effects).nearest(goal)
         progress = _distance(goal, effects[nearest]) - _distance(goal, effect)
         # Written so that of two distances beyond all numbers, whose difference is none, 0 remains.
-        return progress if progress > 0.0 else 0.0
+        return max(0.0, progress)
 
     def of_many(
         self, trials: Sequence[Trial], effects: NDArray[np.float64], history: History

@@ -62,7 +62,7 @@ class Proportional:
         """Draw a strategy: two ``rng.random()``."""
         uniformly = rng.random() < self.alpha
         u = rng.random()
-        weights = [mean if mean > 0.0 else 0.0 for mean in memory.means]
+        weights = [max(0.0, mean) for mean in memory.means]
         if self.power != 1.0:
             weights = self._powers(weights)
         total = 0.0
@@ -91,7 +91,9 @@ class Proportional:
     def _powers(self, weights: list[float]) -> list[float]:
         """Return powers of the weights' shares of the largest: none overflows, not all vanish."""
         top = max(weights)
-        return [_core.power(weight / top, self.power) if weight > 0.0 else 0.0 for weight in weights]
+        return [
+            _core.power(weight / top, self.power) if weight > 0.0 else 0.0 for weight in weights
+        ]
 
     def __repr__(self) -> str:
         power = "" if self.power == 1.0 else f", power={self.power!r}"

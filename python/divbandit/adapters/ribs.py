@@ -74,7 +74,8 @@ class RibsEmitter(Strategy):
       the places in what they asked for last. A trial that failed stands for the worst of its
       batch, and for one that did not enter the archive. A batch of which all failed is forgotten.
     - Where more is asked for while some of a batch are under way, a copy of the emitter proposes
-      more of its kind. Their effects enter the archive; the emitter is not told.
+      more of its kind. Their effects enter the archive; the emitter is not told. It learns
+      nothing while a trial of its batch is open: one that will never be told should be failed.
 
     Parameters
     ----------

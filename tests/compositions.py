@@ -1,6 +1,13 @@
 """Every built-in strategy and many compositions of them, by what they are called in a test."""
 
+from functools import partial
+
+import optuna
+from mabwiser.mab import LearningPolicy
+
 import divbandit as db
+from divbandit.adapters import MabwiserRule, OptunaSampler, RibsEmitter
+from divbandit.bandits import CoverageGain, WholePast
 
 #: Who draws goals, and who turns them into commands.
 GOALS = {
@@ -72,6 +79,29 @@ def plain():
         ),
         "mixture of adapts": db.Mixture([db.Adapt([rmb(), rgb(0.05)]), rmb()]),
         "schedule, then adapt": db.Schedule([(10, rmb()), (None, db.Adapt([rmb(), rgb(0.05)]))]),
+        **adapted(),
+    }
+
+
+def adapted():
+    """Return strategies of other libraries; few of each, as they are slow."""
+    wide = db.Box([-2, -3], [2, 3])
+    return {
+        "steps along lines, of pyribs": RibsEmitter("line", box=wide),
+        "evolution, of pyribs": RibsEmitter("evolution", box=wide, cells=50),
+        "tree of Parzen estimators, of Optuna": OptunaSampler(
+            partial(optuna.samplers.TPESampler, n_startup_trials=5)
+        ),
+        "evolution, of Optuna": OptunaSampler(optuna.samplers.CmaEsSampler),
+        "bandit by a policy of MABWiser": db.Bandit(
+            [db.MotorBabbling(), db.GoalBabbling(goals=wide)],
+            credit=CoverageGain(0.05),
+            memory=WholePast(),
+            rule=MabwiserRule(LearningPolicy.UCB1()),
+        ),
+        "adapt of other libraries": db.Adapt(
+            [OptunaSampler(optuna.samplers.RandomSampler), RibsEmitter(box=wide)], tau=0.05
+        ),
     }
 
 

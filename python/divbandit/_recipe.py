@@ -68,7 +68,8 @@ class _Writer:
             value = value.item()
         if value is None or isinstance(value, (bool, str, int, float)):
             return value
-        if isinstance(value, (list, tuple, np.ndarray)):
+        is_named = hasattr(value, "_fields")  # a named tuple is a part of its own kind
+        if isinstance(value, (list, tuple, np.ndarray)) and not is_named:
             return [self.write(item) for item in value]
         if id(value) in self._numbers:
             return {"same as": self._numbers[id(value)]}

@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
 import divbandit as db
-from tests.compositions import compositions
+from tests.compositions import adapted, compositions
 from tests.exploration.chosen_stream import BELOW_ONE, MOST, stream
 from tests.exploration.random_arms import arms
 from tests.exploration.random_compositions import compositions as random_compositions
@@ -77,6 +77,7 @@ PLAIN = {
     for name, each in compositions().items()
     if ", by " not in name and not name.startswith("bandit, ")
 }
+PLAIN = {name: each for name, each in PLAIN.items() if name not in adapted()}
 PLAIN.pop("adapt by the grid, of an adapt")
 
 

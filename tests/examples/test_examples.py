@@ -1,0 +1,109 @@
+"""Every example runs, in a process of its own with warnings as errors, and shows what it says."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+COVERS = re.compile(r"^(.*?) +covers (\d\.\d\d)", re.MULTILINE)
+
+
+@pytest.fixture
+def run(tmp_path):
+    """Return a function that runs an example by name and returns what it prints."""
+
+    def run(name):
+        done = subprocess.run(  # noqa: S603
+            [sys.executable, "-W", "error", EXAMPLES / f"{name}.py"],
+            capture_output=True,
+            text=True,
+            check=False,
+            cwd=tmp_path,
+            env={**os.environ, "TMPDIR": str(tmp_path)},
+        )
+        assert (done.returncode, done.stderr) == (0, "")
+        return done.stdout
+
+    return run
+
+
+def covered(text):
+    """Return what each line says to be covered."""
+    return {name: float(area) for name, area in COVERS.findall(text)}
+
+
+def numbers(text):
+    return [int(number) for number in re.findall(r"\d+", text)]
+
+
+def test_my_own(run):
+    text = run("my_own")
+    areas = covered(text)
+    assert list(areas) == ["motor babbling", "goals", "farther", "ADAPT"]
+    assert areas["ADAPT"] > 0.9 * max(areas.values())
+    chosen = numbers(text.splitlines()[-1])
+    assert sum(chosen) == 1000
+    assert min(chosen) > 100
+
+
+def test_my_own_is_short():
+    assert len((EXAMPLES / "my_own.py").read_text().splitlines()) <= 40
+
+
+def test_pyribs_emitters(run):
+    text = run("pyribs_emitters")
+    lines, evolution, small, adapt = covered(text).values()
+    assert small < lines
+    assert small < evolution
+    assert adapt > 0.8 * max(lines, evolution)
+    shares = numbers(" ".join(re.findall(r"\d+%", text)))
+    assert 98 <= sum(shares) <= 102
+    assert shares[2] == min(shares)
+
+
+def test_optuna_samplers(run):
+    text = run("optuna_samplers")
+    assert list(covered(text)) == ["random", "CMA-ES", "TPE", "TPE, to the right", "ADAPT"]
+    right = [float(x) for x in re.findall(r"x = (-?\d\.\d\d)", text)]
+    assert max(right) == right[3] > 0.7
+    assert covered(text)["ADAPT"] > covered(text)["TPE, to the right"]
+
+
+def test_mabwiser_rule(run):
+    text = run("mabwiser_rule")
+    assert list(covered(text)) == ["epsilon-greedy", "UCB1", "Thompson", "ADAPT"]
+    motor_babbling_alone = 0.55  # square metres; the most of twenty seeds, rounded up
+    assert min(covered(text).values()) > motor_babbling_alone
+    for line in text.splitlines():
+        shares = numbers(" ".join(re.findall(r"\d+%", line)))
+        assert len(shares) == 4
+        assert 98 <= sum(shares) <= 102
+        assert shares[2] == max(shares)
+
+
+def test_ask_tell_robot(run):
+    loaded, covers, fell = run("ask_tell_robot").splitlines()
+    effects, under_way = numbers(loaded)
+    assert 40 <= effects <= 59
+    assert under_way == 1
+    falls = numbers(fell)[0]
+    assert numbers(covers)[0] + falls == numbers(fell)[1] == 300
+    assert falls > 0
+
+
+def test_dask_cluster(run):
+    first, *tries = run("dask_cluster").splitlines()
+    effects, area = re.match(r"(\d+) effects cover (\d\.\d\d) m2", first).groups()
+    assert int(effects) == 200
+    assert 0.5 < float(area) < 3.14
+    assert len(tries) == 2
+    assert sum(numbers(line)[1] for line in tries) == 200
+
+
+def test_no_example_is_forgotten():
+    names = {path.stem for path in EXAMPLES.glob("*.py")}
+    assert names == {name.removeprefix("test_") for name in globals()} & names

@@ -159,6 +159,39 @@ def test_a_bad_command_in_a_batch_names_who_proposed_it():
     assert len(explorer.history) == 0
 
 
+def test_a_part_that_occurs_twice_is_told_in_order():
+    def twice():
+        shared = db.Adapt([db.MotorBabbling(), db.GoalBabbling()], window=3)
+        return db.Mixture([shared, db.GoalBabbling(0.5), shared])
+
+    batches, singles = new_explorer(twice()), new_explorer(twice())
+    for _ in range(5):
+        asked = [explorer.ask(20) for explorer in (batches, singles)]
+        batches.tell(asked[0], ARM(asked[0].commands))
+        for trial in asked[1]:
+            singles.tell(trial, ARM(trial.command))
+        inner = [explorer.strategy.strategies[0].diversities for explorer in (batches, singles)]
+        assert inner[0] == inner[1]
+    assert everything(batches) == everything(singles)
+
+
+@pytest.mark.parametrize("power", [1, 8, 0.5, 0])
+def test_choices_drawn_at_once_are_those_drawn_one_by_one(power):
+    chance = np.random.default_rng(5)
+    for parts in (1, 2, 3, 17):
+        for _ in range(30):
+            means = chance.random(parts) * (chance.random(parts) < 0.6) - 0.1
+            memory = db.bandits.WholePast()
+            memory.begin(parts, 1.0)
+            for part, mean in enumerate(means):
+                memory.add(part, float(mean))
+            rule = db.bandits.Proportional(0.2, power=power)
+            streams = [np.random.default_rng(int(1e6 * abs(means.sum()))) for _ in range(2)]
+            singly = [rule.choose(memory, streams[0]) for _ in range(50)]
+            assert rule.choose_many(memory, 50, streams[1]) == singly
+            assert streams[0].random() == streams[1].random()
+
+
 def test_a_strategy_that_says_anew_how_it_proposes_loses_the_shortcut():
     class Still(db.MotorBabbling):
         def propose(self, history, rng):

@@ -121,17 +121,17 @@ class Composite(Strategy):
         self.strategies[trial.path[0]].observe(inner, effect)
 
     def observe_many(self, trials: Sequence[Trial], effects: NDArray[np.float64]) -> None:
-        """Tell each strategy, in order, of all the trials that it proposed."""
+        """Tell each strategy of all the trials that it proposed."""
         if all(strategy.learns_nothing for strategy in self.strategies):
             return
-        shares: dict[int, list[int]] = {}
+        # One that occurs twice is told of all its trials together, in their order.
+        shares: dict[int, tuple[Strategy, list[int]]] = {}
         for row, trial in enumerate(trials):
             _part_of(trial).place = trial.place
-            shares.setdefault(trial.path[0], []).append(row)
-        for index in sorted(shares):
-            rows = shares[index]
-            share = [_part_of(trials[row]) for row in rows]
-            self.strategies[index].observe_many(share, effects[rows])
+            part = self.strategies[trial.path[0]]
+            shares.setdefault(id(part), (part, []))[1].append(row)
+        for part, rows in shares.values():
+            part.observe_many([_part_of(trials[row]) for row in rows], effects[rows])
 
     @property
     def learns_at_once(self) -> bool:

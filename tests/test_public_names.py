@@ -16,7 +16,11 @@ CORE = (
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
+    "exp",
     "inverse",
+    "log",
+    "normal_quantile",
+    "power",
 )
 
 

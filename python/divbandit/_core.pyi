@@ -15,7 +15,11 @@ __all__ = [
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
+    "exp",
     "inverse",
+    "log",
+    "normal_quantile",
+    "power",
 ]
 
 @final
@@ -114,7 +118,13 @@ class Engine:
         self, parts: Sequence[int], steps: Sequence[int], phase: int, proposed: int
     ) -> int: ...
     def adapt(
-        self, parts: Sequence[int], measure: Coverage, window: int, alpha: float, head_start: int
+        self,
+        parts: Sequence[int],
+        measure: Coverage,
+        window: int,
+        alpha: float,
+        head_start: int,
+        power: float,
     ) -> int: ...
     def explore(
         self,
@@ -130,6 +140,10 @@ class Engine:
         NDArray[np.float64] | None,
     ]: ...
 
+def exp(x: float) -> float: ...
+def log(x: float) -> float: ...
+def power(base: float, exponent: float) -> float: ...
+def normal_quantile(p: float) -> float: ...
 def inverse(
     goal: ArrayLike,
     d: float,

@@ -16,7 +16,13 @@ CORE = (
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
+    "babble",
+    "frontier_goal",
     "inverse",
+    "k_nearest",
+    "local_regression",
+    "novel_goal",
+    "uncovered_goal",
 )
 
 

@@ -15,7 +15,13 @@ __all__ = [
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
+    "babble",
+    "frontier_goal",
     "inverse",
+    "k_nearest",
+    "local_regression",
+    "novel_goal",
+    "uncovered_goal",
 ]
 
 @final
@@ -36,6 +42,7 @@ class Bounds:
     @property
     def high(self) -> NDArray[np.float64]: ...
     def sample(self, rng: Generator) -> NDArray[np.float64]: ...
+    def sample_many(self, n: int, rng: Generator) -> NDArray[np.float64]: ...
     def perturb(self, parent: ArrayLike, d: float, rng: Generator) -> NDArray[np.float64]: ...
     def command(self, command: ArrayLike) -> NDArray[np.float64]: ...
     def commands(self, command: ArrayLike) -> NDArray[np.float64]: ...
@@ -139,3 +146,45 @@ def inverse(
     rng: Generator,
 ) -> NDArray[np.float64]: ...
 def as_point(name: str, value: ArrayLike, length: int | None = None) -> NDArray[np.float64]: ...
+def k_nearest(
+    goal: ArrayLike,
+    k: int,
+    d: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
+def local_regression(
+    goal: ArrayLike,
+    k: int,
+    ridge: float,
+    d: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
+def babble(
+    n: int,
+    goals: Bounds,
+    d: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def uncovered_goal(
+    goals: Bounds, tau: float, tries: int, effects: NearestNeighbors, rng: Generator
+) -> NDArray[np.float64]: ...
+def frontier_goal(
+    goals: Bounds,
+    tau: float,
+    reach: float,
+    tries: int,
+    effects: NearestNeighbors,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
+def novel_goal(
+    goals: Bounds, candidates: int, effects: NearestNeighbors, rng: Generator
+) -> NDArray[np.float64]: ...

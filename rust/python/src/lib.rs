@@ -12,6 +12,7 @@ mod bounds;
 mod coverage;
 mod engine;
 mod errors;
+mod goals;
 mod inverse;
 mod kdtree;
 mod random;
@@ -30,7 +31,13 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<coverage::PyCoverage>()?;
     module.add_class::<engine::PyEngine>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
+    module.add_function(wrap_pyfunction!(goals::frontier_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(goals::novel_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(goals::uncovered_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::babble, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::inverse, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::k_nearest, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::local_regression, module)?)?;
     module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;
     Ok(())
 }

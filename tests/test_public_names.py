@@ -20,9 +20,11 @@ CORE = (
     "frontier_goal",
     "inverse",
     "k_nearest",
+    "local_jacobian",
     "local_regression",
     "novel_goal",
     "uncovered_goal",
+    "untried_goal",
 )
 
 

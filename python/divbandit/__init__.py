@@ -33,6 +33,7 @@ from divbandit.strategies import (
     GridGoals,
     InverseModel,
     KNearest,
+    LocalJacobian,
     LocalRegression,
     Mixture,
     MotorBabbling,
@@ -44,6 +45,7 @@ from divbandit.strategies import (
     Trial,
     UncoveredGoals,
     UniformGoals,
+    UntriedGoals,
 )
 
 __all__ = [
@@ -65,6 +67,7 @@ __all__ = [
     "History",
     "InverseModel",
     "KNearest",
+    "LocalJacobian",
     "LocalRegression",
     "Loop",
     "Measure",
@@ -84,6 +87,7 @@ __all__ = [
     "Trials",
     "UncoveredGoals",
     "UniformGoals",
+    "UntriedGoals",
     "coverage",
     "explore",
     "explore_many",

@@ -8,9 +8,9 @@ The names below follow the data: environment -> strategy -> effect -> gain -> ba
 exploration -> figure (`plot`, which needs matplotlib only when it draws).
 """
 
-from divbandit import plot
+from divbandit import bandits, plot
 from divbandit._core import NearestNeighbors
-from divbandit.bandits import Adapt
+from divbandit.bandits import Adapt, Bandit
 from divbandit.box import Box
 from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
 from divbandit.experiments import Summary, Task, explore_many, summarize
@@ -50,6 +50,7 @@ from divbandit.strategies import (
 
 __all__ = [
     "Adapt",
+    "Bandit",
     "Box",
     "Composite",
     "Coverage",
@@ -88,6 +89,7 @@ __all__ = [
     "UncoveredGoals",
     "UniformGoals",
     "UntriedGoals",
+    "bandits",
     "coverage",
     "explore",
     "explore_many",

@@ -16,12 +16,16 @@ __all__ = [
     "PlanarArm",
     "as_point",
     "babble",
+    "exp",
     "frontier_goal",
     "inverse",
     "k_nearest",
     "local_jacobian",
     "local_regression",
+    "log",
+    "normal_quantile",
     "novel_goal",
+    "power",
     "uncovered_goal",
     "untried_goal",
 ]
@@ -123,7 +127,13 @@ class Engine:
         self, parts: Sequence[int], steps: Sequence[int], phase: int, proposed: int
     ) -> int: ...
     def adapt(
-        self, parts: Sequence[int], measure: Coverage, window: int, alpha: float, head_start: int
+        self,
+        parts: Sequence[int],
+        measure: Coverage,
+        window: int,
+        alpha: float,
+        head_start: int,
+        power: float,
     ) -> int: ...
     def explore(
         self,
@@ -139,6 +149,10 @@ class Engine:
         NDArray[np.float64] | None,
     ]: ...
 
+def exp(x: float) -> float: ...
+def log(x: float) -> float: ...
+def power(base: float, exponent: float) -> float: ...
+def normal_quantile(p: float) -> float: ...
 def inverse(
     goal: ArrayLike,
     d: float,

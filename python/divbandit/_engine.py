@@ -158,7 +158,18 @@ def _own_description(where: str, part: Any) -> Any:  # noqa: ANN401 - any part
     kind = type(part)
     if "_describe" not in vars(kind):
         raise NotBuiltInError(where, kind.__name__)
-    for name, value in vars(part).items():
-        if hasattr(kind, name):
-            raise NotBuiltInError(f"{where}.{name}", type(value).__name__)
+    without_replacements(where, part)
     return part._describe  # noqa: SLF001 - made for this
+
+
+def without_replacements(where: str, part: object) -> None:
+    """Raise a NotBuiltInError if an object has put something in a method's place.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> without_replacements("strategy", db.MotorBabbling())
+    """
+    for name, value in vars(part).items():
+        if hasattr(type(part), name):
+            raise NotBuiltInError(f"{where}.{name}", type(value).__name__)

@@ -1,5 +1,59 @@
-"""Bandits: strategies that choose among others by what these have just achieved."""
+"""Bandits: strategies that choose among others by what these have achieved.
+
+A `Bandit` has three parts. Credits: `CoverageGain`, `Gain`, `CompetenceProgress`,
+`FunctionCredit`. Memories: `Window`, `RecentWindow`, `Discounted`, `WholePast`. Rules:
+`Proportional`, `EpsilonGreedy`, `Softmax`, `UCB`, `Thompson`, `Exp3`, `Exp3S`, `RoundRobin`,
+`Uniform`. By name: `Adapt`, the paper's, `ucb1`, `sliding_window_ucb`, `discounted_ucb`.
+"""
 
 from divbandit.bandits.adapt import Adapt
+from divbandit.bandits.bandit import Bandit
+from divbandit.bandits.credits import (
+    CompetenceProgress,
+    CoverageGain,
+    Credit,
+    FunctionCredit,
+    Gain,
+)
+from divbandit.bandits.memories import Discounted, Memory, RecentWindow, WholePast, Window
+from divbandit.bandits.published import discounted_ucb, sliding_window_ucb, ucb1
+from divbandit.bandits.rules import (
+    UCB,
+    EpsilonGreedy,
+    Exp3,
+    Exp3S,
+    Proportional,
+    RoundRobin,
+    Rule,
+    Softmax,
+    Thompson,
+    Uniform,
+)
 
-__all__ = ["Adapt"]
+__all__ = [
+    "UCB",
+    "Adapt",
+    "Bandit",
+    "CompetenceProgress",
+    "CoverageGain",
+    "Credit",
+    "Discounted",
+    "EpsilonGreedy",
+    "Exp3",
+    "Exp3S",
+    "FunctionCredit",
+    "Gain",
+    "Memory",
+    "Proportional",
+    "RecentWindow",
+    "RoundRobin",
+    "Rule",
+    "Softmax",
+    "Thompson",
+    "Uniform",
+    "WholePast",
+    "Window",
+    "discounted_ucb",
+    "sliding_window_ucb",
+    "ucb1",
+]

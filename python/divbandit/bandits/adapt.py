@@ -3,38 +3,32 @@
 from __future__ import annotations
 
 import copy
-import math
 from typing import TYPE_CHECKING, Any, cast
 
 from divbandit._checks import real, whole
 from divbandit._engine import NotBuiltInError
-from divbandit.bandits.window import GainWindow
+from divbandit.bandits.bandit import Bandit
+from divbandit.bandits.credits import CoverageGain, Gain
+from divbandit.bandits.memories import Window
+from divbandit.bandits.memories.base import LONGEST
+from divbandit.bandits.rules import Proportional
 from divbandit.measures import Coverage
-from divbandit.measures.template import copy_of, covering
-from divbandit.strategies.composite import Composite, proportionally
+from divbandit.measures.template import copy_of
+from divbandit.strategies.composite import Composite
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    import numpy as np
-    from numpy.random import Generator
-    from numpy.typing import NDArray
-
     from divbandit._engine import Description
-    from divbandit.box import Box
-    from divbandit.history import History
     from divbandit.measures import Measure
-    from divbandit.strategies.base import Strategy, Trial
+    from divbandit.strategies.base import Strategy
 
-
-#: The longest window: its gains are kept one by one.
-_LONGEST = 1_000_000
 
 #: The paper's radius of the discs.
 _TAU = 0.02
 
 
-class Adapt(Composite):
+class Adapt(Bandit):
     """ADAPT(w, tau, alpha) (Benureau and Oudeyer 2015, figures 3 and 4).
 
     With probability alpha a strategy uniformly at random; otherwise strategy j with probability
@@ -64,16 +58,21 @@ class Adapt(Composite):
         ``db.GridCoverage(0.05, dim=3)``: an empty one, of which each exploration takes a copy.
         `tau` then says nothing, and must be left at its default. A strategy whose mean gain is
         negative, as with `Entropy`, counts as one of diversity 0 when Adapt chooses.
+    power : float
+        Not negative. Strategies are chosen in proportion to this power of their diversity; 1 is the
+        paper's.
 
     Attributes
     ----------
     strategies : tuple of Strategy
     tau : float or None
         None where a measure was given.
-    window, alpha, head_start
+    window, alpha, head_start, power
         As given.
     measure : Measure or None
         A copy of the one given, empty; None for the discs' area.
+    credit, memory, rule
+        The parts that this `Bandit` is made of.
 
     Raises
     ------
@@ -103,118 +102,63 @@ class Adapt(Composite):
         alpha: float = 0.1,
         head_start: int = 1,
         measure: Measure | None = None,
+        power: float = 1.0,
     ) -> None:
-        super().__init__(strategies)
+        Composite.__init__(self, strategies)
         self.tau: float | None = None
         self.measure = None if measure is None else copy_of("measure", measure)
         if self.measure is None:
             self.tau = Coverage(tau).tau
         elif real("tau", tau) != _TAU:
             raise ValueError(f"tau must not be given together with a measure, got {tau!r}")
-        self.window = whole("window", window, low=1, high=_LONGEST)
-        self.alpha = real("alpha", alpha, low=0.0, high=1.0)
+        self.window = whole("window", window, low=1, high=LONGEST)
+        self._alpha = real("alpha", alpha, low=0.0, high=1.0)
         self.head_start = whole("head_start", head_start, low=0, high=self.window)
-        self._history: History | None = None
-        self._forget(None)
-
-    def _forget(self, dim: int | None) -> None:
-        """Begin anew: nothing measured, only head starts in the windows.
-
-        While the effects' dimension is not known, their head starts are discs.
-        """
-        if dim is None:
-            dim = 2 if self.measure is None else self.measure.dim
-        largest = self._empty(dim).largest_gain
-        self._dim = dim
-        self._measured: Measure | None = None
-        self._windows = [
-            GainWindow(self.window, head_start=largest, count=self.head_start)
-            for _ in self.strategies
-        ]
-        self._diversities = [window.mean() for window in self._windows]
-
-    def _empty(self, dim: int) -> Measure:
-        """Return what effects of this dimension are to be measured by, or refuse them."""
-        if self.measure is None:
-            return covering("Adapt", cast("float", self.tau), dim)
-        if dim != self.measure.dim:
-            raise ValueError(
-                f"measure must have the dimension of the effects, {dim}, got {self.measure.dim}"
-            )
-        return copy.deepcopy(self.measure)
+        self.power = real("power", power, low=0.0)
+        self._begin(None)
 
     @property
-    def diversities(self) -> tuple[float, ...]:
-        """The diversity of each strategy, its mean gain; the next choice sees 0 for less."""
-        return tuple(self._diversities)
+    def alpha(self) -> float:
+        """Share of choices made uniformly at random."""
+        return self._alpha
 
-    def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:
-        """Require effects of a dimension that can be measured."""
-        super().check(motor_space, effect_dim, has_goals=has_goals)
-        if effect_dim is not None:
-            self._empty(effect_dim)
+    @alpha.setter
+    def alpha(self, alpha: float) -> None:
+        self._alpha = alpha
+        rule = copy.copy(self._rule)
+        rule.alpha = alpha  # type: ignore[attr-defined]
+        self._rule = rule
 
-    def choose(self, history: History, rng: Generator) -> int:
-        """Draw a strategy: two ``rng.random()``.
+    @property
+    def credit(self) -> CoverageGain | Gain:  # type: ignore[override]
+        """`CoverageGain` of tau, or `Gain` by the measure."""
+        if self.measure is None:
+            return CoverageGain.asked_by("Adapt", cast("float", self.tau))
+        return Gain(self.measure)
 
-        What Adapt remembers belongs to one history; asked about another, it begins anew.
-        """
-        if history is not self._history:
-            try:
-                self._forget(history.effect_dim)
-            except ValueError:  # said by `check`, or when such an effect is to be measured
-                self._forget(None)
-            self._history = history
-        uniformly = rng.random() < self.alpha
-        u = rng.random()
-        if uniformly:
-            return int(u * len(self._windows))
-        return proportionally([max(0.0, mean) for mean in self._diversities], u)
+    @property
+    def memory(self) -> Window:  # type: ignore[override]
+        """`Window`, with the head start."""
+        return Window(self.window, head_start=self.head_start)
 
-    def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:
-        """Credit the strategy that proposed the trial with the gain of its effect."""
-        gain = self._gain(effect)
-        super().observe(trial, effect)
-        index = trial.path[0]
-        self._windows[index].add(gain)
-        self._diversities[index] = self._windows[index].mean()
-
-    def _gain(self, effect: NDArray[np.float64]) -> float:
-        """Return the gain of the newest effect of the history, which is `effect`.
-
-        Where Adapt is a part of another strategy it is told of its own trials alone; the others'
-        effects are in the history, and are added first.
-        """
-        history, measured = self._history, self._measured
-        known = 0 if measured is None else len(measured)
-        if history is None or len(history) == known:
-            raise ValueError("effect must be in the history before Adapt observes it")
-        if measured is None:
-            dim = history.effects.shape[1]
-            if dim != self._dim:  # the first effect told the dimension
-                self._forget(dim)
-            measured = self._measured = self._empty(dim)
-        if len(history) > known + 1:
-            measured.extend(history.effects[known:-1])
-        gain = float(measured.add(effect))
-        if not math.isfinite(gain):
-            raise ValueError(f"measure must give finite gains, got {gain}")
-        return gain
+    @property
+    def rule(self) -> Proportional:  # type: ignore[override]
+        """`Proportional`, with alpha and power."""
+        return Proportional(self.alpha, power=self.power)
 
     def _describe(self, description: Description) -> int:
         parts = description.add_all(self.strategies)
-        measure = self._empty(description.effect_dim)
+        measure = self.credit.empty(description.effect_dim)
         if type(measure) is not Coverage:
             raise NotBuiltInError("measure", type(measure).__name__)
-        return description.engine.adapt(parts, measure, self.window, self.alpha, self.head_start)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Leave out what was measured: it is made anew from the history."""
-        return {**self.__dict__, "_measured": None}
+        return description.engine.adapt(
+            parts, measure, self.window, self.alpha, self.head_start, self.power
+        )
 
     def __repr__(self) -> str:
         by = f"tau={self.tau!r}" if self.measure is None else f"measure={self.measure!r}"
+        power = "" if self.power == 1.0 else f", power={self.power!r}"
         return (
             f"Adapt({list(self.strategies)!r}, {by}, window={self.window!r}, "
-            f"alpha={self.alpha!r}, head_start={self.head_start!r})"
+            f"alpha={self.alpha!r}, head_start={self.head_start!r}{power})"
         )

@@ -34,6 +34,7 @@ pub mod arm;
 pub mod bandits;
 pub mod bounds;
 pub mod coverage;
+pub mod elementary;
 pub mod environment;
 pub mod error;
 pub mod exploration;

@@ -116,9 +116,12 @@ impl PyEngine {
         window: usize,
         alpha: f64,
         head_start: usize,
+        power: f64,
     ) -> PyResult<usize> {
-        let adapt = Adapt::new(parts.len(), measure.0.clone(), window, alpha, head_start);
-        self.strategies.compose(adapt.map_err(value_error)?, parts).map_err(value_error)
+        let adapt = Adapt::new(parts.len(), measure.0.clone(), window, alpha, head_start)
+            .and_then(|adapt| adapt.with_power(power))
+            .map_err(value_error)?;
+        self.strategies.compose(adapt, parts).map_err(value_error)
     }
 
     /// Explore with one of the strategies told, for n steps; the engine is then used up.

@@ -10,6 +10,7 @@ mod arm;
 mod arrays;
 mod bounds;
 mod coverage;
+mod elementary;
 mod engine;
 mod errors;
 mod goals;
@@ -31,6 +32,10 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<coverage::PyCoverage>()?;
     module.add_class::<engine::PyEngine>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
+    module.add_function(wrap_pyfunction!(elementary::exp, module)?)?;
+    module.add_function(wrap_pyfunction!(elementary::log, module)?)?;
+    module.add_function(wrap_pyfunction!(elementary::normal_quantile, module)?)?;
+    module.add_function(wrap_pyfunction!(elementary::power, module)?)?;
     module.add_function(wrap_pyfunction!(goals::frontier_goal, module)?)?;
     module.add_function(wrap_pyfunction!(goals::novel_goal, module)?)?;
     module.add_function(wrap_pyfunction!(goals::uncovered_goal, module)?)?;

@@ -3,6 +3,7 @@
 use super::window::GainWindow;
 use crate::bounds::UniformStream;
 use crate::coverage::Coverage;
+use crate::elementary;
 use crate::error::Error;
 use crate::strategies::{Composite, proportionally};
 
@@ -10,11 +11,12 @@ use crate::strategies::{Composite, proportionally};
 const LONGEST: usize = 1_000_000;
 
 /// ADAPT(w, tau, alpha): with probability alpha a part uniformly at random, otherwise in
-/// proportion to the mean gain of its last w effects. Two draws.
+/// proportion to the mean gain of its last w effects, or to a power of it. Two draws.
 #[derive(Debug, Clone)]
 pub struct Adapt {
     measure: Coverage,
     alpha: f64,
+    power: f64,
     windows: Vec<GainWindow>,
     diversities: Vec<f64>,
 }
@@ -53,9 +55,29 @@ impl Adapt {
         Ok(Self {
             measure,
             alpha,
+            power: 1.0,
             diversities: vec![window.mean(); parts],
             windows: vec![window; parts],
         })
+    }
+
+    /// Chooses in proportion to this power of the mean gains.
+    ///
+    /// # Errors
+    /// If `power` is negative or not finite.
+    pub fn with_power(mut self, power: f64) -> Result<Self, Error> {
+        if !(power.is_finite() && power >= 0.0) {
+            let must_be = "finite and not negative";
+            return Err(Error::Number { name: "power", must_be, got: power });
+        }
+        self.power = power;
+        Ok(self)
+    }
+
+    /// What a mean gain counts, the largest of which is `top`, more than 0: the share of it to the
+    /// power, so that nothing overflows, nor all of them vanish.
+    fn weight(&self, mean: f64, top: f64) -> f64 {
+        if mean > 0.0 { elementary::power(mean / top, self.power) } else { 0.0 }
     }
 }
 
@@ -70,7 +92,12 @@ impl Composite for Adapt {
         if uniformly {
             return (u * self.parts() as f64) as usize;
         }
-        proportionally(self.diversities.iter().map(|mean| mean.max(0.0)), u)
+        let positive = self.diversities.iter().map(|mean| mean.max(0.0));
+        if self.power == 1.0 {
+            return proportionally(positive, u);
+        }
+        let top = positive.clone().fold(0.0, f64::max);
+        proportionally(self.diversities.iter().map(|&mean| self.weight(mean, top)), u)
     }
 
     fn measure(&self) -> Option<&Coverage> {

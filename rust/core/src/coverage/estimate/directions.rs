@@ -6,7 +6,8 @@
 //! independent. Directions lie side by side, LANES of them coordinate by coordinate, as the
 //! rays' loop over lanes wants them.
 
-use super::normal::quantile;
+use crate::elementary::normal_quantile;
+
 use super::rotation::{Rotation, square};
 use super::sobol::Sobol;
 use super::stream::{Purpose, Stream};
@@ -66,7 +67,7 @@ impl Directions {
                 }
                 for ((x, p), s) in x.iter_mut().zip(&point).zip(&*shift) {
                     // The middle of the digital point's interval: never 0, 1/2 or 1.
-                    *x = quantile((f64::from(p ^ s) + 0.5) / 4_294_967_296.0);
+                    *x = normal_quantile((f64::from(p ^ s) + 0.5) / 4_294_967_296.0);
                 }
                 let length = square(&x).sqrt();
                 x.iter_mut().for_each(|x| *x /= length);

@@ -17,7 +17,6 @@ mod directions;
 mod grid;
 mod lens;
 mod nearby;
-mod normal;
 mod rays;
 mod replicates;
 mod rotation;

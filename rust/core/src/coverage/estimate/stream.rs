@@ -4,7 +4,7 @@
 //! What is drawn for one counter does not depend on what was drawn before, so that asking
 //! for a gain twice, or asking a copy, gives the same bits.
 
-use super::normal::quantile;
+use crate::elementary::normal_quantile;
 
 const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
@@ -39,7 +39,7 @@ impl Stream {
     /// A standard normal number.
     pub fn normal(&mut self) -> f64 {
         // The middles of 2^52 equal parts of (0, 1): exact numbers, never 0 or 1.
-        quantile(((self.bits() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64)
+        normal_quantile(((self.bits() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64)
     }
 }
 

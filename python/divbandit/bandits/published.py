@@ -1,0 +1,129 @@
+"""Well-known bandits by name: which parts they are made of."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from divbandit.bandits.bandit import Bandit
+from divbandit.bandits.credits import CoverageGain
+from divbandit.bandits.memories import Discounted, RecentWindow, WholePast
+from divbandit.bandits.rules import UCB
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from divbandit.bandits.bandit import Creditor
+    from divbandit.strategies.base import Strategy
+
+
+def ucb1(strategies: Iterable[Strategy], *, credit: Creditor | None = None) -> Bandit:
+    """Return UCB1: the strategy with the largest m_j + B sqrt(2 ln t / n_j).
+
+    Auer, Cesa-Bianchi and Fischer (2002, "Finite-time Analysis of the Multiarmed Bandit Problem",
+    Machine Learning 47, 235-256), for credits up to B: of t credits strategy j has earned n_j, of
+    mean m_j.
+
+    Parameters
+    ----------
+    strategies : iterable of Strategy
+    credit : Credit or callable, optional
+        By default ``CoverageGain()``, the paper's discs.
+
+    Returns
+    -------
+    Bandit
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.bandits import ucb1
+    >>> bandit = ucb1([db.MotorBabbling(), db.GoalBabbling(0.05)])
+    >>> bandit.memory, bandit.rule
+    (WholePast(), UCB(2.0))
+    >>> sorted(db.explore(db.PlanarArm(20), bandit, n=2, rng=0).choices.tolist())
+    [0, 1]
+    """
+    return Bandit(strategies, credit=_or_coverage(credit), memory=WholePast(), rule=UCB(2.0))
+
+
+def sliding_window_ucb(
+    strategies: Iterable[Strategy],
+    *,
+    window: int,
+    xi: float = 0.6,
+    credit: Creditor | None = None,
+) -> Bandit:
+    """Return SW-UCB: the strategy with the largest m_j + B sqrt(xi ln(min(t, w)) / n_j).
+
+    Garivier and Moulines (2008, "On Upper-Confidence Bound Policies for Non-Stationary Bandit
+    Problems"; 2011, ALT, 174-188), for credits up to B: of the last w of t credits strategy j has
+    earned n_j, of mean m_j.
+
+    Parameters
+    ----------
+    strategies : iterable of Strategy
+    window : int
+        w, from 1 to a million.
+    xi : float
+        Not negative; their analysis is for more than 1/2.
+    credit : Credit or callable, optional
+        By default ``CoverageGain()``, the paper's discs.
+
+    Returns
+    -------
+    Bandit
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.bandits import sliding_window_ucb
+    >>> babblings = [db.MotorBabbling(), db.GoalBabbling(0.05)]
+    >>> bandit = sliding_window_ucb(babblings, window=200)
+    >>> bandit.memory, bandit.rule
+    (RecentWindow(200), UCB(0.6))
+    """
+    memory = RecentWindow(window)
+    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=UCB(xi))
+
+
+def discounted_ucb(
+    strategies: Iterable[Strategy],
+    *,
+    gamma: float,
+    xi: float = 0.6,
+    credit: Creditor | None = None,
+) -> Bandit:
+    """Return D-UCB: the strategy with the largest m_j + 2 B sqrt(xi ln(n) / n_j).
+
+    Garivier and Moulines (2008, "On Upper-Confidence Bound Policies for Non-Stationary Bandit
+    Problems"; 2011, ALT, 174-188), for credits up to B: one that is k credits old weighs gamma^k;
+    n_j is the weight of those of strategy j, m_j their mean and n the weight of all.
+
+    Parameters
+    ----------
+    strategies : iterable of Strategy
+    gamma : float
+        In (0, 1].
+    xi : float
+        Not negative; their analysis is for more than 1/2.
+    credit : Credit or callable, optional
+        By default ``CoverageGain()``, the paper's discs.
+
+    Returns
+    -------
+    Bandit
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.bandits import discounted_ucb
+    >>> bandit = discounted_ucb([db.MotorBabbling(), db.GoalBabbling(0.05)], gamma=0.99, xi=0.5)
+    >>> bandit.memory, bandit.rule  # 2 sqrt(xi) is sqrt(4 xi)
+    (Discounted(0.99), UCB(2.0))
+    """
+    memory, rule = Discounted(gamma), UCB(4.0 * UCB(xi).xi)
+    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
+
+
+def _or_coverage(credit: Creditor | None) -> Creditor:
+    return CoverageGain() if credit is None else credit

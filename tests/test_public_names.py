@@ -16,11 +16,19 @@ CORE = (
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
+    "babble",
     "exp",
+    "frontier_goal",
     "inverse",
+    "k_nearest",
+    "local_jacobian",
+    "local_regression",
     "log",
     "normal_quantile",
+    "novel_goal",
     "power",
+    "uncovered_goal",
+    "untried_goal",
 )
 
 

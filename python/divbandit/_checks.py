@@ -30,6 +30,14 @@ def real(name: str, value: object, *, low: float = -math.inf, high: float = math
     return number
 
 
+def positive(name: str, value: object) -> float:
+    """Return `value` as a finite float above 0, or say what is wrong with it."""
+    number = real(name, value)
+    if number <= 0.0:
+        raise ValueError(f"{name} must be a positive, finite number, got {value!r}")
+    return number
+
+
 def whole(name: str, value: object, *, low: int, high: int | None = None) -> int:
     """Return `value` as an int in [low, high], or say what is wrong with it."""
     # A plain int, the most common case, needs no look into the register of numbers.

@@ -15,11 +15,19 @@ __all__ = [
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
+    "babble",
     "exp",
+    "frontier_goal",
     "inverse",
+    "k_nearest",
+    "local_jacobian",
+    "local_regression",
     "log",
     "normal_quantile",
+    "novel_goal",
     "power",
+    "uncovered_goal",
+    "untried_goal",
 ]
 
 @final
@@ -40,6 +48,7 @@ class Bounds:
     @property
     def high(self) -> NDArray[np.float64]: ...
     def sample(self, rng: Generator) -> NDArray[np.float64]: ...
+    def sample_many(self, n: int, rng: Generator) -> NDArray[np.float64]: ...
     def perturb(self, parent: ArrayLike, d: float, rng: Generator) -> NDArray[np.float64]: ...
     def command(self, command: ArrayLike) -> NDArray[np.float64]: ...
     def commands(self, command: ArrayLike) -> NDArray[np.float64]: ...
@@ -153,3 +162,67 @@ def inverse(
     rng: Generator,
 ) -> NDArray[np.float64]: ...
 def as_point(name: str, value: ArrayLike, length: int | None = None) -> NDArray[np.float64]: ...
+def k_nearest(
+    goal: ArrayLike,
+    k: int,
+    d: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
+def local_regression(
+    goal: ArrayLike,
+    k: int,
+    ridge: float,
+    d: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
+def local_jacobian(
+    goal: ArrayLike,
+    k: int,
+    used: int,
+    ridge: float,
+    reach: float,
+    noise: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
+def babble(
+    n: int,
+    goals: Bounds,
+    d: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def uncovered_goal(
+    goals: Bounds, tau: float, tries: int, effects: NearestNeighbors, rng: Generator
+) -> NDArray[np.float64]: ...
+def frontier_goal(
+    goals: Bounds,
+    tau: float,
+    reach: float,
+    tries: int,
+    effects: NearestNeighbors,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
+def novel_goal(
+    goals: Bounds, candidates: int, effects: NearestNeighbors, rng: Generator
+) -> NDArray[np.float64]: ...
+def untried_goal(
+    goals: Bounds,
+    tau: float,
+    candidates: int,
+    tries: int,
+    reach: float,
+    effects: NearestNeighbors,
+    counts: NDArray[np.uint32],
+    rng: Generator,
+) -> NDArray[np.float64]: ...

@@ -102,6 +102,29 @@ class Description:
                 raise NotBuiltInError(where, kind) from None
         return self._places[id(strategy)]
 
+    def detail(self, where: str, part: object) -> Any:  # noqa: ANN401 - whatever describes it
+        """Return what a built-in part of a strategy, that is none itself, says of itself.
+
+        Raises
+        ------
+        NotBuiltInError
+            If it is not built in.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> arm = db.PlanarArm(3)
+        >>> description = Description(arm, arm.motor_space, arm.sensory_space)
+        >>> description.detail("inverse", db.NearestNeighbor(0.2))
+        0.2
+        """
+        describe = _own_description(where, part)
+        try:
+            return describe(self)
+        except NotBuiltInError as inner:
+            inner.where = f"{where}.{inner.where}"
+            raise
+
     def add_all(self, strategies: Iterable[object]) -> list[int]:
         """Return the numbers of a composite's strategies.
 

@@ -129,6 +129,36 @@ class Box:
         """
         return self.bounds.sample(rng)
 
+    def sample_many(self, n: int, rng: Generator) -> NDArray[np.float64]:
+        """Draw `n` points: what as many calls of `sample` draw.
+
+        Parameters
+        ----------
+        n : int
+        rng : numpy.random.Generator
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (n, dim)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `n` is no whole number, or negative, or `rng` is not a Generator.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> db.Box([0], [10]).sample_many(2, np.random.default_rng(0))
+        array([[6.36961687],
+               [2.69786714]])
+        """
+        if type(self) is Box:
+            return self.bounds.sample_many(n, rng)
+        # A box of one's own may draw in another way.
+        return np.array([self.sample(rng) for _ in range(n)]).reshape(n, self.dim)
+
     def contains(self, point: ArrayLike) -> bool:
         """Say whether `point` lies in the box, its faces included.
 

@@ -253,7 +253,7 @@ class History:
         >>> history.nearest([8.5])
         (0.5, 1)
         """
-        tree = self._observed()
+        tree = self.tree
         return tree.nearest(_core.as_point("goal", goal, tree.dim), k=k)
 
     def inverse(self, goal: ArrayLike, rng: Generator, *, d: float = 0.05) -> NDArray[np.float64]:
@@ -290,11 +290,14 @@ class History:
         >>> history.inverse([8.0], np.random.default_rng(0), d=0.1)
         array([0.27739234])
         """
-        tree = self._observed()
-        return _core.inverse(goal, d, tree, self._commands, self.motor_space.bounds, rng)
+        return _core.inverse(goal, d, self.tree, self._commands, self.motor_space.bounds, rng)
 
-    def _observed(self) -> _core.NearestNeighbors:
-        """Return the k-d tree of all effects, brought up to date."""
+    @property
+    def tree(self) -> _core.NearestNeighbors:
+        """All effects in a k-d tree, brought up to date: to be searched, not to be added to.
+
+        A ValueError if nothing was observed yet.
+        """
         tree = self._tree
         if tree is None:
             if not self._paths:

@@ -28,5 +28,9 @@ class MotorBabbling(Strategy):
         """Draw a command: one ``rng.random()`` a coordinate."""
         return Trial(history.motor_space.sample(rng))
 
+    def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
+        """Return what `n` calls of `propose` return, in one call into Rust."""
+        return [Trial(command) for command in history.motor_space.sample_many(n, rng)]
+
     def _describe(self, description: Description) -> int:
         return description.engine.motor_babbling()

@@ -1,6 +1,6 @@
 //! A box of motor commands or goals, and the draws made in it.
 
-use crate::error::{Error, check_finite, check_length};
+use crate::error::{Error, check_finite, check_length, reserve};
 
 /// A stream of independent numbers uniform in [0, 1): the only randomness there is.
 ///
@@ -109,6 +109,25 @@ impl Bounds {
         let mut point = vec![0.0; self.dim()];
         self.sample_into(&mut point, stream);
         point
+    }
+
+    /// `n` points uniform in the box, row by row: the draws of as many calls of
+    /// [`sample`](Self::sample).
+    ///
+    /// # Errors
+    /// If there is no memory for so many; nothing is drawn then.
+    pub fn sample_many(
+        &self,
+        n: usize,
+        stream: &mut (impl UniformStream + ?Sized),
+    ) -> Result<Vec<f64>, Error> {
+        let mut points = Vec::new();
+        reserve(&mut points, n, self.dim())?;
+        points.resize(n * self.dim(), 0.0);
+        for point in points.chunks_exact_mut(self.dim()) {
+            self.sample_into(point, stream);
+        }
+        Ok(points)
     }
 
     /// Writes what [`sample`](Self::sample) returns; `point` has the right length.

@@ -5,7 +5,8 @@
 //!
 //! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect;
 //! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
-//! 3. [`inverse()`](inverse()) turns that goal into the next motor command, inside its [`Bounds`];
+//! 3. [`goals`] draw the goal by what is known, [`inverse()`](inverse()) and other inverse models
+//!    turn it into the next motor command, inside its [`Bounds`];
 //! 4. [`strategies`] propose commands in this and other ways, seeing the [`History`] of all that
 //!    was observed;
 //! 5. [`Coverage`] says how much an effect has newly covered: its gain;
@@ -37,6 +38,7 @@ pub mod elementary;
 pub mod environment;
 pub mod error;
 pub mod exploration;
+pub mod goals;
 pub mod history;
 pub mod instructions;
 pub mod inverse;

@@ -4,7 +4,8 @@
 //! numbers is converted. Booleans, strings, complex numbers and objects are refused.
 
 use numpy::{
-    PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
+    PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray,
+    PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyException, PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
@@ -194,6 +195,18 @@ pub(crate) fn read_only<'py>(
     values: &[f64],
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let array = PyArray1::from_slice(py, values);
+    array.try_readwrite()?.make_nonwriteable();
+    Ok(array)
+}
+
+/// A new array of rows of this length that cannot be written to; it holds the very numbers given.
+pub(crate) fn read_only_rows(
+    py: Python<'_>,
+    values: Vec<f64>,
+    row: usize,
+) -> PyResult<Bound<'_, PyArray2<f64>>> {
+    let n = values.len() / row;
+    let array = PyArray1::from_vec(py, values).reshape([n, row])?;
     array.try_readwrite()?.make_nonwriteable();
     Ok(array)
 }

@@ -1,10 +1,10 @@
 //! Binding of boxes and of the draws made in them.
 
 use divbandit_core::Bounds;
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::arrays::{Floats, number, read_only};
+use crate::arrays::{Floats, count, number, read_only, read_only_rows};
 use crate::errors::value_error;
 use crate::random::NumpyStream;
 
@@ -44,6 +44,17 @@ impl PyBounds {
     fn sample<'py>(&self, rng: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let point = self.0.sample(&mut NumpyStream::lock(rng)?);
         read_only(rng.py(), &point)
+    }
+
+    /// Points (n, dim) uniform in the box: the draws of as many calls of `sample`.
+    fn sample_many<'py>(
+        &self,
+        n: &Bound<'py, PyAny>,
+        rng: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let n = count("n", n)?;
+        let points = self.0.sample_many(n, &mut NumpyStream::lock(rng)?).map_err(value_error)?;
+        read_only_rows(rng.py(), points, self.0.dim())
     }
 
     /// Perturb_d: `parent` moved by at most the share `d` of each range, inside the box.

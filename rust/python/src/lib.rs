@@ -13,6 +13,7 @@ mod coverage;
 mod elementary;
 mod engine;
 mod errors;
+mod goals;
 mod inverse;
 mod kdtree;
 mod random;
@@ -35,7 +36,15 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(elementary::log, module)?)?;
     module.add_function(wrap_pyfunction!(elementary::normal_quantile, module)?)?;
     module.add_function(wrap_pyfunction!(elementary::power, module)?)?;
+    module.add_function(wrap_pyfunction!(goals::frontier_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(goals::novel_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(goals::uncovered_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(goals::untried_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::babble, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::inverse, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::k_nearest, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::local_jacobian, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::local_regression, module)?)?;
     module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;
     Ok(())
 }

@@ -1,0 +1,97 @@
+"""LocalRegression: a linear map from effects to commands around the goal, perturbed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from divbandit import _core
+from divbandit._checks import positive, real, whole
+from divbandit.strategies.inverse.k_nearest import MOST_NEIGHBOURS
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.random import Generator
+    from numpy.typing import ArrayLike, NDArray
+
+    from divbandit.history import History
+
+
+class LocalRegression:
+    """Locally weighted linear regression from effects to commands, evaluated at the goal.
+
+    The `k` effects nearest to the goal are weighted by (1 - (r / b)^2)^2, where r is the distance
+    from the goal and b a quarter more than the farthest's, and a linear map with an intercept is
+    fitted to their commands (Atkeson, Moore and Schaal 1997). What it makes of the goal is brought
+    back into the motor space and perturbed.
+
+    A ridge keeps the map's slopes finite where effects are too few or lie on a line; of effects
+    that are all the same only the mean of the commands is left.
+
+    Parameters
+    ----------
+    k : int
+        How many effects; at least 1. All of them where fewer are known.
+    d : float
+        Perturbation, a share of the motor range, in [0, 1].
+    ridge : float
+        What is added to the variance of each effect coordinate, as a share of their mean; positive.
+        The larger, the smaller the slopes.
+
+    Attributes
+    ----------
+    k, d, ridge
+        As given.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is out of range.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> babbling = db.GoalBabbling(inverse=db.LocalRegression(10, 0.05))
+    >>> run = db.explore(db.PlanarArm(20), babbling, n=100, rng=0)
+    """
+
+    def __init__(self, k: int = 10, d: float = 0.05, *, ridge: float = 1e-3) -> None:
+        self.k = whole("k", k, low=1, high=MOST_NEIGHBOURS)
+        self.d = real("d", d, low=0.0, high=1.0)
+        self.ridge = positive("ridge", ridge)
+
+    def command(self, goal: ArrayLike, history: History, rng: Generator) -> NDArray[np.float64]:
+        """Return a command: one ``rng.random()`` a motor coordinate.
+
+        Parameters
+        ----------
+        goal : array_like, shape (s,)
+        history : History
+        rng : numpy.random.Generator
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (m,)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If nothing was observed yet, or `goal` is no finite point of the sensory space.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.25], [7.0])
+        >>> history.append([0.5], [9.0])
+        >>> model = db.LocalRegression(d=0.0, ridge=1e-9)
+        >>> model.command([10.0], history, np.random.default_rng(0)).round(6)
+        array([0.625])
+        """
+        tree, space = history.tree, history.motor_space.bounds
+        return _core.local_regression(
+            goal, self.k, self.ridge, self.d, tree, history.commands, space, rng
+        )
+
+    def __repr__(self) -> str:
+        return f"LocalRegression({self.k}, {self.d!r}, ridge={self.ridge!r})"

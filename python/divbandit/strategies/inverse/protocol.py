@@ -1,0 +1,62 @@
+"""InverseModel: what goal babbling needs to know of who turns goals into commands."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
+
+if TYPE_CHECKING:
+    from numpy.random import Generator
+    from numpy.typing import ArrayLike
+
+    from divbandit.history import History
+
+
+@runtime_checkable
+class InverseModel(Protocol):
+    """Who turns goals into commands. Anything with this method is one; no base class is needed.
+
+    See Also
+    --------
+    NearestNeighbor, KNearest, LocalRegression
+
+    Examples
+    --------
+    Half of the commands drawn anew:
+
+    >>> import numpy as np
+    >>> import divbandit as db
+    >>> class Halves:
+    ...     def command(self, goal, history, rng):
+    ...         _, index = history.nearest(goal)
+    ...         kept = rng.random(history.motor_space.dim) < 0.5
+    ...         return np.where(kept, history.commands[index], history.motor_space.sample(rng))
+    >>> isinstance(Halves(), db.InverseModel)
+    True
+    >>> run = db.explore(db.PlanarArm(3), db.GoalBabbling(inverse=Halves()), n=10, rng=0)
+    """
+
+    def command(self, goal: ArrayLike, history: History, rng: Generator) -> ArrayLike:
+        """Return a command for a goal.
+
+        Parameters
+        ----------
+        goal : array_like, shape (s,)
+        history : History
+            All that was observed so far; not empty.
+        rng : numpy.random.Generator
+            The only source of randomness to use.
+
+        Returns
+        -------
+        array_like, shape (m,)
+            A point of ``history.motor_space``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.25], [7.0])
+        >>> db.NearestNeighbor(0.0).command([8.0], history, np.random.default_rng(0))
+        array([0.25])
+        """

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 #: Markers, in order.
-_MARKERS = ("o", "D", "s", "^", "v", "P", "X", "<", ">", "*")
+_MARKERS = ("o", "D", "s", "^", "v", "P", "X", "<", ">", "p")
 
 
 def series(
@@ -82,14 +82,15 @@ def series(
     shifts = 2.0 ** (0.02 * (np.arange(len(values)) - (len(values) - 1) / 2))
     for index, (each, label) in enumerate(zip(values, labels, strict=True)):
         colour, pattern = style.line_of(index)
-        ax.errorbar(
-            x * shifts[index],
+        place = x * shifts[index]
+        deviations = means_and_deviations(each)[:, 1]
+        ax.errorbar(place, each[:, 0], deviations, fmt="none", color=colour, elinewidth=0.5)
+        ax.plot(
+            place,
             each[:, 0],
-            yerr=means_and_deviations(each)[:, 1],
             color=colour,
             linestyle=pattern,
             linewidth=0.9,
-            elinewidth=0.5,
             marker=_MARKERS[index % len(_MARKERS)],
             markersize=2.8,
             markeredgewidth=0,

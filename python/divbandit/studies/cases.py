@@ -99,11 +99,6 @@ class Outcome:
         """The population standard deviation in the end."""
         return float(self.deviations[-1])
 
-    @property
-    def least(self) -> float:
-        """The smallest in the end."""
-        return float(self.values[:, -1].min())
-
 
 def outcomes(
     cases: Sequence[Case],

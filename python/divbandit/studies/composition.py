@@ -6,11 +6,9 @@ import csv
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from divbandit.bandits import Adapt
 from divbandit.paper import setting
-from divbandit.plot import series, style
+from divbandit.plot import ranking, style
 from divbandit.strategies import GoalBabbling, MotorBabbling
 from divbandit.strategies.goals import UncoveredGoals, UntriedGoals
 from divbandit.strategies.inverse import LocalJacobian, NearestNeighbor
@@ -92,23 +90,11 @@ def run(
     progress: Progress | None = None,
 ) -> list[Row]:
     """Explore the arm with each composition; look after a fifth of the steps, half and all."""
-    at = _told(steps)
+    at = (steps // 5, steps // 2, steps)
     named = compositions()
     cases = [Case(strategy, at, (7, index)) for index, strategy in enumerate(named.values())]
     reached = outcomes(cases, seed=seed, repetitions=repetitions, jobs=jobs, progress=progress)
     return [Row(name, at, outcome) for name, outcome in zip(named, reached, strict=True)]
-
-
-def _told(steps: int) -> tuple[int, ...]:
-    """Return after which steps to tell: from a fiftieth of them, doubled, and three more.
-
-    Examples
-    --------
-    >>> _told(10000)
-    (200, 400, 800, 1600, 2000, 3200, 5000, 6400, 10000)
-    """
-    doubled = {steps // 50 * 2**k for k in range(6)}
-    return tuple(sorted({at for at in doubled if at} | {steps // 5, steps // 2, steps}))
 
 
 def explorations(repetitions: int) -> int:
@@ -117,28 +103,22 @@ def explorations(repetitions: int) -> int:
 
 
 def draw(rows: Sequence[Row]) -> Figure:
-    """Draw the growth of each composition, and what each reached in the end."""
+    """Draw a panel for each number of steps told and in it a row for each composition."""
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
-    figure, ax = plt.subplots(figsize=(0.75 * style.PAGE, 3.0))
-    at = rows[0].at
-    series(
-        at,
-        [np.stack([row.outcome.means, row.outcome.deviations], axis=1) for row in rows],
-        labels=[row.name for row in rows],
-        unit="m²",
-        ax=ax,
-    )
-    ax.set_xlabel("step")
-    ax.set_ylim(bottom=0)
-    handles, labels = ax.get_legend_handles_labels()
-    best_first = sorted(range(len(rows)), key=lambda index: -rows[index].outcome.mean)
-    figure.legend(
-        [handles[index] for index in best_first],
-        [labels[index] for index in best_first],
-        frameon=False,
-        loc="outside right center",
-    )
+    figure, axes = plt.subplots(1, 3, figsize=(style.PAGE, 2.3), sharey=True)
+    for place, (letter, ax) in enumerate(zip("abc", axes, strict=True)):
+        ranking(
+            [(row.outcome.means[place], row.outcome.deviations[place]) for row in rows],
+            labels=[row.name for row in rows],
+            marks={"the paper's ADAPT": float(rows[0].outcome.means[place])},
+            highlight=1,
+            unit="m²",
+            ax=ax,
+        )
+        ax.set_title(f"({letter}) {rows[0].at[place]} steps")
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, frameon=False, loc="outside lower center")
     return figure
 
 
@@ -155,15 +135,12 @@ def save(rows: Sequence[Row], path: Path) -> None:
 
 def table(rows: Sequence[Row]) -> str:
     """Return mean, standard deviation and least of what was reached, as text."""
-    steps = rows[0].at[-1]
-    shown = (steps // 5, steps // 2, steps)
-    lines = [f"{'m² (mean ± s.d., least)':30}" + "".join(f"{f'n = {n}':>24}" for n in shown)]
+    heads = "".join(f"{f'n = {n}':>24}" for n in rows[0].at)
+    lines = [f"{'m² (mean ± s.d., least)':30}{heads}"]
     for row in rows:
-        cells = []
-        for n in shown:
-            place = row.at.index(n)
-            least = row.outcome.values[:, place].min()
-            mean, deviation = row.outcome.means[place], row.outcome.deviations[place]
-            cells.append(f"{f'{mean:.3f} ± {deviation:.3f}, {least:.3f}':>24}")
+        numbers = zip(
+            row.outcome.means, row.outcome.deviations, row.outcome.values.min(axis=0), strict=True
+        )
+        cells = [f"{f'{mean:.3f} ± {s:.3f}, {least:.3f}':>24}" for mean, s, least in numbers]
         lines.append(f"{row.name:30}" + "".join(cells))
     return "\n".join(lines)

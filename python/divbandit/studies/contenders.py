@@ -60,8 +60,7 @@ class Contender:
         return Bandit(strategies, credit=credit, memory=self.memory, rule=self.rule)
 
 
-#: The factor by which "small bonus" makes confidence bonuses smaller, and its square.
-_BONUS = 0.03
+#: The square of 0.03: a "small bonus" is three hundredths of one scaled by the largest gain.
 _SMALL = 0.0009
 
 #: The paper's ADAPT.
@@ -72,8 +71,8 @@ DISCOUNTED = Contender(
 )
 GREEDY = Contender("epsilon-greedy", HeadStart(Discounted(0.995)), EpsilonGreedy(0.02))
 SLIDING = Contender("SW-UCB, small bonus", RecentWindow(1000), UCB(0.6 * _SMALL))
-FADING = Contender("D-UCB, small bonus", Discounted(0.999), UCB(2.4 * _SMALL))
-THOMPSON = Contender("Thompson, discounted", Discounted(0.999), Thompson())
+FADING = Contender("D-UCB, small bonus", Discounted(0.999), UCB(0.6 * _SMALL))
+THOMPSON = Contender("Thompson", WholePast(), Thompson())
 EXP3S = Contender("Exp3.S", WholePast(), Exp3S(0.1, 0.0001))
 ROUND_ROBIN = Contender("round robin", WholePast(), RoundRobin())
 UNIFORM = Contender("uniform", WholePast(), Uniform())
@@ -83,15 +82,15 @@ CONTENDERS = (
     PAPER,
     DISCOUNTED,
     GREEDY,
-    Contender("softmax", HeadStart(Discounted(0.99)), Softmax(0.02)),
+    Contender("softmax", HeadStart(Discounted(0.99)), Softmax(0.005)),
     Contender("UCB1", WholePast(), UCB(2.0)),
-    Contender("UCB1, small bonus", WholePast(), UCB(2.0 * _SMALL)),
+    Contender("UCB1, small bonus", WholePast(), UCB(0.6 * _SMALL)),
     Contender("SW-UCB", RecentWindow(1000), UCB(0.6)),
     SLIDING,
     Contender("D-UCB", Discounted(0.999), UCB(2.4)),
     FADING,
-    Contender("Thompson", WholePast(), Thompson()),
     THOMPSON,
+    Contender("Thompson, discounted", Discounted(0.999), Thompson()),
     Contender("Exp3", WholePast(), Exp3(0.2)),
     EXP3S,
     ROUND_ROBIN,

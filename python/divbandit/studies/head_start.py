@@ -31,10 +31,10 @@ class HeadStart:
     --------
     >>> from divbandit.bandits import Discounted
     >>> memory = HeadStart(Discounted(0.5))
-    >>> memory.begin(2, 6.0)
-    >>> memory.add(0, 0.0)
+    >>> memory.begin(2, 4.0)
+    >>> memory.add(1, 1.0)
     >>> memory.means, memory.counts
-    ([1.2, 6.0], [1.25, 0.5])
+    ([4.0, 2.0], [0.25, 1.5])
     """
 
     def __init__(self, memory: Memory) -> None:

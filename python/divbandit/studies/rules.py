@@ -102,12 +102,8 @@ def panels(rows: Sequence[Row]) -> list[Panel]:
     for d in setting.PERTURBATIONS:
         of_d = [row for row in rows if row.d == d]
         bandits = tuple(row for row in of_d if row.name not in (_MIXTURE, _HINDSIGHT))
-        best = max(
-            (row for row in of_d if row.name == _MIXTURE), key=lambda row: row.outcome.mean
-        )
-        found.append(
-            Panel(d, bandits, best, next(row for row in of_d if row.name == _HINDSIGHT))
-        )
+        best = max((row for row in of_d if row.name == _MIXTURE), key=lambda row: row.outcome.mean)
+        found.append(Panel(d, bandits, best, next(row for row in of_d if row.name == _HINDSIGHT)))
     return found
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit._core import power
-from divbandit.paper import setting
 from divbandit.plot import series, style
 from divbandit.strategies import GoalBabbling, Mixture, MotorBabbling, Strategy
 from divbandit.studies.cases import Case, Outcome, outcomes
@@ -135,10 +134,7 @@ def draw(rows: Sequence[Row]) -> Figure:
         series(
             SIZES,
             [
-                [
-                    [found[mix, size, name].mean, found[mix, size, name].deviation]
-                    for size in SIZES
-                ]
+                [[found[mix, size, name].mean, found[mix, size, name].deviation] for size in SIZES]
                 for name in names
             ],
             labels=names,

@@ -90,7 +90,8 @@ def study(
     with style.printed():
         style.save(made.draw(rows), folder / name)
     made.save(rows, folder / f"{name}.csv")
-    return made.table(rows)
+    table: str = made.table(rows)
+    return table
 
 
 def _no_bar(_name: str, _total: int) -> AbstractContextManager[Progress]:

@@ -91,7 +91,9 @@ class Proportional:
     def _powers(self, weights: list[float]) -> list[float]:
         """Return powers of the weights' shares of the largest: none overflows, not all vanish."""
         top = max(weights)
-        return [_core.power(weight / top, self.power) if weight > 0.0 else 0.0 for weight in weights]
+        return [
+            _core.power(weight / top, self.power) if weight > 0.0 else 0.0 for weight in weights
+        ]
 
     def __repr__(self) -> str:
         power = "" if self.power == 1.0 else f", power={self.power!r}"

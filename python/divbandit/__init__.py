@@ -10,7 +10,7 @@ exploration -> figure (`plot`, which needs matplotlib only when it draws).
 
 from divbandit import bandits, plot
 from divbandit._core import NearestNeighbors
-from divbandit.bandits import Adapt, Bandit
+from divbandit.bandits import Adapt, Bandit, default_strategies, default_strategy
 from divbandit.box import Box
 from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
 from divbandit.experiments import Summary, Task, explore_many, summarize
@@ -91,6 +91,8 @@ __all__ = [
     "UntriedGoals",
     "bandits",
     "coverage",
+    "default_strategies",
+    "default_strategy",
     "explore",
     "explore_many",
     "plot",

@@ -81,6 +81,7 @@ def ranking(
     ax.set_yticks(range(len(points)), labels)
     ax.set_ylim(len(points) - 0.5, -0.5)
     ax.tick_params(axis="y", length=0)
+    ax.locator_params(axis="x", nbins=5)
     ax.grid(axis="y", color="0.9", linewidth=0.5)
     ax.set_axisbelow(True)
     ax.set_xlabel(style.with_unit("coverage", unit))

@@ -6,7 +6,7 @@ import csv
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from divbandit.bandits import Adapt
+from divbandit.bandits import Adapt, default_strategy
 from divbandit.paper import setting
 from divbandit.plot import ranking, style
 from divbandit.strategies import GoalBabbling, MotorBabbling
@@ -63,7 +63,7 @@ def compositions() -> dict[str, Strategy]:
     four = UntriedGoals(tau, candidates=4)
     return {
         "ADAPT": setting.adapt(_D),
-        _OWN: _bandit(goals, model),
+        _OWN: default_strategy(tau),
         "4 candidates": _bandit(four, model),
         "no counts of tries": _bandit(UncoveredGoals(tau), model),
         "goals anywhere": _bandit(None, model),

@@ -7,13 +7,17 @@ from typing import TYPE_CHECKING
 from divbandit.strategies import Strategy, Trial
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.random import Generator
+    from numpy.typing import NDArray
 
     from divbandit.history import History
 
 
 class Repeating(Strategy):
-    """The middle of M at each step: a strategy that finds nothing.
+    """A command drawn uniformly in M, at each step the same: a strategy that finds nothing.
+
+    The command belongs to one history; asked about another, it draws a new one.
 
     Examples
     --------
@@ -23,11 +27,15 @@ class Repeating(Strategy):
     True
     """
 
+    def __init__(self) -> None:
+        self._history: History | None = None
+        self._command: NDArray[np.float64] | None = None
+
     def propose(self, history: History, rng: Generator) -> Trial:
-        """Return the middle of M; nothing is drawn."""
-        del rng
-        space = history.motor_space
-        return Trial(space.low + (space.high - space.low) / 2)
+        """Return the command; at first one ``rng.random()`` a coordinate draws it."""
+        if self._command is None or history is not self._history:
+            self._history, self._command = history, history.motor_space.sample(rng)
+        return Trial(self._command)
 
     def __repr__(self) -> str:
         return "Repeating()"

@@ -77,8 +77,8 @@ def bad(count: int) -> list[Strategy]:
     >>> bad(4)
     [MotorBabbling(), GoalBabbling(0.0001), Repeating(), GoalBabbling(1.0)]
     """
-    kinds = (MotorBabbling(), GoalBabbling(0.0001), Repeating(), GoalBabbling(1.0))
-    return [kinds[index % len(kinds)] for index in range(count)]
+    kinds = (MotorBabbling, lambda: GoalBabbling(0.0001), Repeating, lambda: GoalBabbling(1.0))
+    return [kinds[index % len(kinds)]() for index in range(count)]
 
 
 def mixed(mix: str, size: int) -> tuple[list[Strategy], list[Strategy]]:
@@ -145,7 +145,6 @@ def draw(rows: Sequence[Row]) -> Figure:
         )
         ax.set(title=f"({letter}) {title}", xlabel="number of strategies")
         ax.label_outer()
-    axes[0].set_ylim(bottom=0)
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, frameon=False, loc="outside right center")
     return figure

@@ -10,7 +10,7 @@ exploration -> figure (`plot`, which needs matplotlib only when it draws).
 
 from divbandit import bandits, plot
 from divbandit._core import NearestNeighbors
-from divbandit.bandits import Adapt, Bandit
+from divbandit.bandits import Adapt, Bandit, default_strategies, default_strategy
 from divbandit.box import Box
 from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
 from divbandit.experiments import Summary, Task, explore_many, summarize
@@ -33,6 +33,7 @@ from divbandit.strategies import (
     GridGoals,
     InverseModel,
     KNearest,
+    LocalJacobian,
     LocalRegression,
     Mixture,
     MotorBabbling,
@@ -44,6 +45,7 @@ from divbandit.strategies import (
     Trial,
     UncoveredGoals,
     UniformGoals,
+    UntriedGoals,
 )
 
 __all__ = [
@@ -66,6 +68,7 @@ __all__ = [
     "History",
     "InverseModel",
     "KNearest",
+    "LocalJacobian",
     "LocalRegression",
     "Loop",
     "Measure",
@@ -85,8 +88,11 @@ __all__ = [
     "Trials",
     "UncoveredGoals",
     "UniformGoals",
+    "UntriedGoals",
     "bandits",
     "coverage",
+    "default_strategies",
+    "default_strategy",
     "explore",
     "explore_many",
     "plot",

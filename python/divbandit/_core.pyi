@@ -21,12 +21,14 @@ __all__ = [
     "frontier_goal",
     "inverse",
     "k_nearest",
+    "local_jacobian",
     "local_regression",
     "log",
     "normal_quantile",
     "novel_goal",
     "power",
     "uncovered_goal",
+    "untried_goal",
 ]
 
 @final
@@ -189,6 +191,18 @@ def local_regression(
     motor_space: Bounds,
     rng: Generator,
 ) -> NDArray[np.float64]: ...
+def local_jacobian(
+    goal: ArrayLike,
+    k: int,
+    used: int,
+    ridge: float,
+    reach: float,
+    noise: float,
+    effects: NearestNeighbors,
+    commands: ArrayLike,
+    motor_space: Bounds,
+    rng: Generator,
+) -> NDArray[np.float64]: ...
 def babble(
     n: int,
     goals: Bounds,
@@ -211,4 +225,14 @@ def frontier_goal(
 ) -> NDArray[np.float64]: ...
 def novel_goal(
     goals: Bounds, candidates: int, effects: NearestNeighbors, rng: Generator
+) -> NDArray[np.float64]: ...
+def untried_goal(
+    goals: Bounds,
+    tau: float,
+    candidates: int,
+    tries: int,
+    reach: float,
+    effects: NearestNeighbors,
+    counts: NDArray[np.uint32],
+    rng: Generator,
 ) -> NDArray[np.float64]: ...

@@ -3,7 +3,8 @@
 A `Bandit` has three parts. Credits: `CoverageGain`, `Gain`, `CompetenceProgress`,
 `FunctionCredit`. Memories: `Window`, `RecentWindow`, `Discounted`, `WholePast`. Rules:
 `Proportional`, `EpsilonGreedy`, `Softmax`, `UCB`, `Thompson`, `Exp3`, `Exp3S`, `RoundRobin`,
-`Uniform`. By name: `Adapt`, the paper's, `ucb1`, `sliding_window_ucb`, `discounted_ucb`.
+`Uniform`. By name: `Adapt`, the paper's, `ucb1`, `sliding_window_ucb`, `discounted_ucb`;
+`default_strategy`, the library's own composition.
 """
 
 from divbandit.bandits.adapt import Adapt
@@ -15,6 +16,7 @@ from divbandit.bandits.credits import (
     FunctionCredit,
     Gain,
 )
+from divbandit.bandits.default import default_strategies, default_strategy
 from divbandit.bandits.memories import Discounted, Memory, RecentWindow, WholePast, Window
 from divbandit.bandits.published import discounted_ucb, sliding_window_ucb, ucb1
 from divbandit.bandits.rules import (
@@ -53,6 +55,8 @@ __all__ = [
     "Uniform",
     "WholePast",
     "Window",
+    "default_strategies",
+    "default_strategy",
     "discounted_ucb",
     "sliding_window_ucb",
     "ucb1",

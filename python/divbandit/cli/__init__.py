@@ -1,4 +1,4 @@
-"""The command line: ``divbandit reproduce [1 2 3 4]``."""
+"""The command line: ``divbandit reproduce [1 2 3 4]``, ``divbandit study NAME``."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     mpl.use("Agg")
     try:
-        return _reproduce(options)
+        return int(options.run(options))
     except OSError as error:
         print(f"divbandit: {error}", file=sys.stderr)
         return 1
@@ -65,21 +65,45 @@ def _parser() -> argparse.ArgumentParser:
         metavar="FIGURE",
         help="which figures, from 1 to 4 (default: all)",
     )
-    reproduce.add_argument(
-        "--out", default="figures", metavar="DIR", help="where to put them (default: figures)"
+    _add_options(reproduce, out="figures", jobs="threads")
+    reproduce.set_defaults(run=_reproduce)
+    study = commands.add_parser(
+        "study",
+        help="compare bandits, numbers of strategies or compositions",
+        description="Make a study: its figure as PNG and SVG, a CSV of all its numbers, and a "
+        "table of the means. rules: every bandit in the settings of the paper's figure 4. "
+        "strategies: bandits over 2 to 64 strategies. composition: the library's own against the "
+        "paper's, and with one part less.",
     )
-    reproduce.add_argument(
+    study.add_argument("name", choices=("rules", "strategies", "composition"), help="which")
+    _add_options(study, out="studies", jobs="processes")
+    study.add_argument(
+        "--steps",
+        type=_from(5),
+        default=10000,
+        metavar="N",
+        help="of each exploration (default: 10000)",
+    )
+    study.set_defaults(run=_study)
+    return parser
+
+
+def _add_options(parser: argparse.ArgumentParser, *, out: str, jobs: str) -> None:
+    """Add what all commands can be told."""
+    parser.add_argument(
+        "--out", default=out, metavar="DIR", help=f"where to put the files (default: {out})"
+    )
+    parser.add_argument(
         "--repetitions",
         type=_from(1),
         default=25,
         metavar="N",
         help="explorations behind each mean (default: 25, as in the paper; 3 for a quick look)",
     )
-    reproduce.add_argument("--seed", type=_from(0), default=0, metavar="N", help="(default: 0)")
-    reproduce.add_argument(
-        "--jobs", type=_from(1), default=None, metavar="N", help="threads (default: all cores)"
+    parser.add_argument("--seed", type=_from(0), default=0, metavar="N", help="(default: 0)")
+    parser.add_argument(
+        "--jobs", type=_from(1), default=None, metavar="N", help=f"{jobs} (default: all cores)"
     )
-    return parser
 
 
 def _from(low: int, high: int | None = None) -> Callable[[str], int]:
@@ -111,6 +135,23 @@ def _reproduce(options: argparse.Namespace) -> int:
     )
     if compared:
         print(comparison.table(compared))
+    print(f"written to {options.out}")
+    return 0
+
+
+def _study(options: argparse.Namespace) -> int:
+    from divbandit.studies import study  # noqa: PLC0415 - only now needed
+
+    table = study(
+        options.name,
+        out=options.out,
+        repetitions=options.repetitions,
+        steps=options.steps,
+        seed=options.seed,
+        jobs=options.jobs,
+        bar=_bar,
+    )
+    print(table)
     print(f"written to {options.out}")
     return 0
 

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from contextlib import AbstractContextManager
 
-    from matplotlib.figure import Figure
-
     from divbandit.experiments.explore_many import Progress
 
     #: Opens a bar of a name and a number of steps, to be advanced by calls.
@@ -90,33 +88,24 @@ def reproduce(
     with style.printed():
         if 1 in wanted:
             with bar("figure 1", 1) as progress:
-                _save(figure1.draw(figure1.run(seed)), folder / "figure1")
+                style.save(figure1.draw(figure1.run(seed)), folder / "figure1")
                 progress()
         if 2 in wanted:
             with bar("figure 2", count) as progress:
                 runs = figure2.run(seed, jobs=jobs, progress=progress)
-                _save(figure2.draw(runs), folder / "figure2")
+                style.save(figure2.draw(runs), folder / "figure2")
         if 3 in wanted:
             with bar("figure 3", count * repetitions) as progress:
                 rows = figure3.run(seed, repetitions=repetitions, jobs=jobs, progress=progress)
-                _save(figure3.draw(rows), folder / "figure3")
+                style.save(figure3.draw(rows), folder / "figure3")
         if 4 in wanted:
             with bar("figure 4", figure4.explorations(repetitions)) as progress:
                 points = figure4.run(seed, repetitions=repetitions, jobs=jobs, progress=progress)
-            _save(figure4.draw(points), folder / "figure4")
+            style.save(figure4.draw(points), folder / "figure4")
             figure4.save(points, folder / "figure4.csv")
             compared = comparison.compare(points, repetitions)
             comparison.save(compared, folder / "figure4_comparison.csv")
     return compared
-
-
-def _save(figure: Figure, stem: Path) -> None:
-    """Write a figure as PNG and SVG, the same bytes for the same figure, and close it."""
-    import matplotlib.pyplot as plt  # noqa: PLC0415
-
-    figure.savefig(stem.with_suffix(".png"))
-    figure.savefig(stem.with_suffix(".svg"), metadata={"Date": None})
-    plt.close(figure)
 
 
 def _no_bar(_name: str, _total: int) -> AbstractContextManager[Progress]:

@@ -6,7 +6,9 @@ What is drawn is computed in `divbandit.plot.data`, so that it can be had withou
 from divbandit.plot.diversity import diversity
 from divbandit.plot.mixtures import mixtures
 from divbandit.plot.postures import postures
+from divbandit.plot.ranking import ranking
+from divbandit.plot.series import series
 from divbandit.plot.spread import spread
 from divbandit.plot.usage import usage
 
-__all__ = ["diversity", "mixtures", "postures", "spread", "usage"]
+__all__ = ["diversity", "mixtures", "postures", "ranking", "series", "spread", "usage"]

@@ -41,6 +41,22 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
         raise type(error)(f"{name} must be an array of numbers: {error}") from None
 
 
+def means_and_deviations(data: ArrayLike) -> NDArray[np.float64]:
+    """Return means with their standard deviations, shape (k, 2).
+
+    Examples
+    --------
+    >>> means_and_deviations([[2.0, 0.1], [1.5, 0.2]]).shape
+    (2, 2)
+    """
+    points = numbers("data", data)
+    if points.ndim != 2 or points.shape[1] != 2 or not (points[:, 1] >= 0).all():
+        raise ValueError(
+            f"data must hold means and standard deviations, of shape (k, 2), got {data!r}"
+        )
+    return points
+
+
 def diversities_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
     """Return what a bandit believed at each step, shape (n, q).
 

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 #: One colour a strategy, in order.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
@@ -69,3 +71,12 @@ def printed() -> Iterator[None]:
     }
     with mpl.rc_context(sizes):
         yield
+
+
+def save(figure: Figure, stem: Path) -> None:
+    """Write a figure as PNG and SVG, the same bytes for the same figure, and close it."""
+    import matplotlib.pyplot as plt  # noqa: PLC0415 - only figures need matplotlib
+
+    figure.savefig(stem.with_suffix(".png"))
+    figure.savefig(stem.with_suffix(".svg"), metadata={"Date": None})
+    plt.close(figure)

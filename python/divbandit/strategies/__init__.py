@@ -10,10 +10,12 @@ from divbandit.strategies.goals import (
     NovelGoals,
     UncoveredGoals,
     UniformGoals,
+    UntriedGoals,
 )
 from divbandit.strategies.inverse import (
     InverseModel,
     KNearest,
+    LocalJacobian,
     LocalRegression,
     NearestNeighbor,
 )
@@ -30,6 +32,7 @@ __all__ = [
     "GridGoals",
     "InverseModel",
     "KNearest",
+    "LocalJacobian",
     "LocalRegression",
     "Mixture",
     "MotorBabbling",
@@ -41,4 +44,5 @@ __all__ = [
     "Trial",
     "UncoveredGoals",
     "UniformGoals",
+    "UntriedGoals",
 ]

@@ -1,7 +1,8 @@
 //! Bindings of the searches for goals.
 
-use divbandit_core::goals as searches;
-use numpy::PyArray1;
+use divbandit_core::goals::{self as searches, Untried};
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::{count, number, read_only};
@@ -82,6 +83,45 @@ pub(crate) fn novel_goal<'py>(
     let candidates = count("candidates", candidates)?;
     let mut stream = NumpyStream::lock(rng)?;
     let goal = searches::novel(&goals.get().0, candidates, &effects.0, &mut stream)
+        .map_err(value_error)?;
+    read_only(rng.py(), &goal)
+}
+
+/// Of up to `candidates` goals that no effect covers the one whose nearest effect has the least of
+/// `counts`, which is raised by 1.
+///
+/// Examples
+/// --------
+/// >>> import numpy as np
+/// >>> from divbandit._core import Bounds, NearestNeighbors, untried_goal
+/// >>> effects = NearestNeighbors(1)
+/// >>> effects.extend([[0.0], [1.0]])
+/// >>> counts, rng = np.array([1, 0], dtype=np.uint32), np.random.default_rng(0)
+/// >>> untried_goal(Bounds([0], [1]), 0.1, 5, 20, 2.0, effects, counts, rng)
+/// array([0.8])
+/// >>> counts
+/// array([1, 1], dtype=uint32)
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "options by keyword are Python's, not the kernel's")]
+pub(crate) fn untried_goal<'py>(
+    goals: &Bound<'py, PyBounds>,
+    tau: &Bound<'py, PyAny>,
+    candidates: &Bound<'py, PyAny>,
+    tries: &Bound<'py, PyAny>,
+    reach: &Bound<'py, PyAny>,
+    effects: PyRef<'py, PyNearestNeighbors>,
+    counts: &Bound<'py, PyArray1<u32>>,
+    rng: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let (tau, reach) = (number("tau", tau)?, number("reach", reach)?);
+    let (candidates, tries) = (count("candidates", candidates)?, count("tries", tries)?);
+    let search = Untried::new(tau, candidates, tries, reach).map_err(value_error)?;
+    let mut counts = counts
+        .try_readwrite()
+        .map_err(|error| PyValueError::new_err(format!("counts cannot be written to: {error}")))?;
+    let mut stream = NumpyStream::lock(rng)?;
+    let goal = search
+        .sample(&goals.get().0, &effects.0, counts.as_slice_mut()?, &mut stream)
         .map_err(value_error)?;
     read_only(rng.py(), &goal)
 }

@@ -1,7 +1,7 @@
 //! Bindings of the inverse models.
 
 use divbandit_core::Bounds;
-use divbandit_core::inverse::{self as models, Observed};
+use divbandit_core::inverse::{self as models, LocalJacobian, Observed};
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -137,6 +137,46 @@ pub(crate) fn local_regression<'py>(
     let command =
         models::local_regression(&goal.copied()?, k, ridge, reach, d, &known, &mut stream)
             .map_err(value_error)?;
+    read_only(rng.py(), &command)
+}
+
+/// The command of the effect nearest to `goal`, moved towards it by a step in a linear model of the
+/// commands around it, and perturbed.
+///
+/// Examples
+/// --------
+/// >>> import numpy as np
+/// >>> from divbandit._core import Bounds, NearestNeighbors, local_jacobian
+/// >>> effects = NearestNeighbors(1)
+/// >>> effects.extend([[0.0], [4.0]])
+/// >>> commands, motor_space = np.array([[0.0], [0.5]]), Bounds([-1], [1])
+/// >>> rng = np.random.default_rng(0)
+/// >>> step = (50, 10, 1e-9, 1.0, 0.0)
+/// >>> local_jacobian([5.0], *step, effects, commands, motor_space, rng).round(6)
+/// array([0.624999])
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "options by keyword are Python's, not the kernel's")]
+pub(crate) fn local_jacobian<'py>(
+    goal: &Bound<'py, PyAny>,
+    k: &Bound<'py, PyAny>,
+    used: &Bound<'py, PyAny>,
+    ridge: &Bound<'py, PyAny>,
+    reach: &Bound<'py, PyAny>,
+    noise: &Bound<'py, PyAny>,
+    effects: PyRef<'py, PyNearestNeighbors>,
+    commands: &Bound<'py, PyAny>,
+    motor_space: &Bound<'py, PyBounds>,
+    rng: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let motor_space = &motor_space.get().0;
+    let goal = Floats::point("goal", goal, Some(effects.0.dim()))?;
+    let (k, used, ridge) = (count("k", k)?, count("used", used)?, number("ridge", ridge)?);
+    let (reach, noise) = (number("reach", reach)?, number("noise", noise)?);
+    let model = LocalJacobian::new(k, used, ridge, reach, noise).map_err(value_error)?;
+    let commands = Floats::points("commands", commands, motor_space.dim())?;
+    let known = observed(&effects, &commands, motor_space)?;
+    let mut stream = NumpyStream::lock(rng)?;
+    let command = model.command(&goal.copied()?, &known, &mut stream).map_err(value_error)?;
     read_only(rng.py(), &command)
 }
 

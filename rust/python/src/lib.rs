@@ -13,8 +13,8 @@ mod coverage;
 mod elementary;
 mod engine;
 mod errors;
-mod goals;
 mod exact_sum;
+mod goals;
 mod inverse;
 mod kdtree;
 mod random;
@@ -41,9 +41,11 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(goals::frontier_goal, module)?)?;
     module.add_function(wrap_pyfunction!(goals::novel_goal, module)?)?;
     module.add_function(wrap_pyfunction!(goals::uncovered_goal, module)?)?;
+    module.add_function(wrap_pyfunction!(goals::untried_goal, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::babble, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::inverse, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::k_nearest, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse::local_jacobian, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::local_regression, module)?)?;
     module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;
     Ok(())

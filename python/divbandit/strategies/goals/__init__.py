@@ -6,6 +6,7 @@ from divbandit.strategies.goals.novel import NovelGoals
 from divbandit.strategies.goals.protocol import GoalSampler
 from divbandit.strategies.goals.uncovered import UncoveredGoals
 from divbandit.strategies.goals.uniform import UniformGoals
+from divbandit.strategies.goals.untried import UntriedGoals
 
 __all__ = [
     "FrontierGoals",
@@ -14,4 +15,5 @@ __all__ = [
     "NovelGoals",
     "UncoveredGoals",
     "UniformGoals",
+    "UntriedGoals",
 ]

@@ -4,15 +4,18 @@
 //!
 //! - [`uncovered`]: farther than tau from every effect;
 //! - [`frontier`]: such a goal around an effect;
-//! - [`novel`]: of a few, the one farthest from its nearest effect.
+//! - [`novel`]: of a few, the one farthest from its nearest effect;
+//! - [`Untried`]: of a few uncovered ones, the one whose nearest effect was started from least often.
 
 mod frontier;
 mod novel;
 mod uncovered;
+mod untried;
 
 pub use frontier::frontier;
 pub use novel::novel;
 pub use uncovered::uncovered;
+pub use untried::Untried;
 
 use crate::bounds::Bounds;
 use crate::error::{Error, check_length};

@@ -7,15 +7,18 @@
 //! - [`inverse()`](inverse()): the command of the nearest effect, as in the paper;
 //! - [`k_nearest`]: the weighted mean of the commands of the nearest effects;
 //! - [`local_regression`]: the linear map from effects to commands around the goal;
+//! - [`LocalJacobian`]: a short step in a linear map from commands to effects around one command;
 //! - [`babble`]: goals and their commands, many at once.
 
 mod babble;
 mod k_nearest;
+mod local_jacobian;
 mod local_regression;
 mod nearest;
 
 pub use babble::babble;
 pub use k_nearest::k_nearest;
+pub use local_jacobian::LocalJacobian;
 pub use local_regression::local_regression;
 pub use nearest::inverse;
 

@@ -1,0 +1,105 @@
+"""default_strategy: what to begin with, where nothing is known of the environment."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from divbandit.bandits.adapt import Adapt
+from divbandit.strategies import GoalBabbling, LocalJacobian, MotorBabbling, UntriedGoals
+
+if TYPE_CHECKING:
+    from divbandit.box import BoxLike
+    from divbandit.strategies import Strategy
+
+
+def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
+    """Return the library's own composition, which needs to be told no more than `tau`.
+
+    `Adapt` chooses between the two `default_strategies`, motor babbling and goals a little beyond
+    what is covered, with a longer window than the paper's and in proportion to a high power of the
+    diversities: nearly always the better one.
+
+    On the arm of 20 joints with tau = 0.02 it covers (mean and standard deviation of 25
+    explorations, ``rng=0`` to 24, in square metres)
+
+    ====================================  ==============  ==============  ==============
+    n                                     2000            5000            10000
+    ====================================  ==============  ==============  ==============
+    ``default_strategy(0.02)``            1.455 +- 0.029  2.611 +- 0.034  3.090 +- 0.013
+    the paper's ADAPT, d = 0.05           1.305 +- 0.051  2.129 +- 0.110  2.639 +- 0.161
+    ====================================  ==============  ==============  ==============
+
+    of which pi, the disc that the arm can reach, is the limit. It is made for many motor
+    coordinates, few effect coordinates and maps that are smooth at the scale of tau. An exploration
+    of few steps gains little from it. A step costs some three times as much as one of ADAPT in
+    Python, and it does not run in the engine.
+
+    Parameters
+    ----------
+    tau : float
+        Radius of the balls that effects cover, in the units of the effects; positive.
+    goals : Box or object with ``low`` and ``high``, optional
+        Where goals are drawn; by default the environment's sensory space. It should hold all
+        effects, and may be much larger.
+
+    Returns
+    -------
+    Adapt
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `tau` is not positive, or `goals` is no box.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> arm = db.PlanarArm(20)
+    >>> run = db.explore(arm, db.default_strategy(0.02), n=1000, rng=0)
+    >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+    >>> papers = db.explore(arm, adapt, n=1000, rng=0)
+    >>> bool(run.coverage(0.02)[-1] > papers.coverage(0.02)[-1])
+    True
+    """
+    strategies = default_strategies(tau, goals=goals)
+    return Adapt(strategies, tau=tau, window=200, alpha=0.05, power=8.0)
+
+
+def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Strategy]:
+    """Return what `default_strategy` chooses among, for a bandit of one's own.
+
+    Motor babbling, without which others stay where they began; and `GoalBabbling` with
+    `UntriedGoals` and `LocalJacobian`: goals a little beyond effects from which going on was tried
+    least, and short steps towards them in a linear model of the commands nearby.
+
+    Parameters
+    ----------
+    tau : float
+        Radius of the balls that effects cover, in the units of the effects; positive.
+    goals : Box or object with ``low`` and ``high``, optional
+        Where goals are drawn; by default the environment's sensory space.
+
+    Returns
+    -------
+    list of Strategy
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `tau` is not positive, or `goals` is no box.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.bandits import CoverageGain, Discounted, EpsilonGreedy
+    >>> strategies = [*db.default_strategies(0.02), db.GoalBabbling(0.05)]
+    >>> bandit = db.Bandit(
+    ...     strategies,
+    ...     credit=CoverageGain(0.02),
+    ...     memory=Discounted(0.995),
+    ...     rule=EpsilonGreedy(0.02),
+    ... )
+    >>> run = db.explore(db.PlanarArm(20), bandit, n=100, rng=0)
+    """
+    untried = UntriedGoals(tau, box=goals)
+    return [MotorBabbling(), GoalBabbling(goals=untried, inverse=LocalJacobian())]

@@ -1,0 +1,135 @@
+"""LocalJacobian: a short step towards the goal, in a linear model around the nearest effect."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from divbandit import _core
+from divbandit._checks import positive, real, whole
+from divbandit.strategies.inverse.k_nearest import MOST_NEIGHBOURS
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.random import Generator
+    from numpy.typing import ArrayLike, NDArray
+
+    from divbandit.history import History
+
+
+class LocalJacobian:
+    """The command of the nearest effect, moved a little towards the goal in a linear model.
+
+    The model is of the environment around that command: by how much each effect coordinate changes
+    with each motor coordinate. It is fitted to commands near it - of the `k` effects nearest to the
+    goal, beside the very nearest, the `used` whose commands are nearest to its command - so that
+    alike effects of commands that are nothing alike, of which there are many where motor coordinates
+    outnumber effect coordinates, do not spoil it. Of all linear models that agree with them the
+    least is taken, in the sense of the sum of squares; directions that no neighbour lies in so
+    remain unused.
+
+    The step is the shortest one that the model says leads to the goal, and is shortened where it
+    is longer than `reach`: a linear model is right only nearby. What is left is perturbed
+    in proportion to the step, which keeps trying new directions for the model to learn from. Where
+    no step can be told, as with a single effect, the command is perturbed alone.
+
+    All lengths of commands are shares of the motor ranges: the units of commands and effects do not
+    matter. Steps are root mean squares over the motor coordinates, but for those whose range is a
+    point.
+
+    Parameters
+    ----------
+    k : int
+        How many effects near the goal to look at; at least 1. All of them where fewer are known.
+    used : int
+        How many commands to fit; at least 1. The cost of a command grows with its cube.
+    ridge : float
+        How little the model must agree with the neighbours, a share of what they tell; positive. It
+        is larger for those farther away, by the square of their distance.
+    reach : float
+        The longest step, a share of the motor range, in [0, 1].
+    noise : float
+        How far to perturb each motor coordinate, a share of the step's length, in [0, 1].
+
+    Attributes
+    ----------
+    k, used, ridge, reach, noise
+        As given.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is out of range.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> babbling = db.GoalBabbling(goals=db.UntriedGoals(0.02), inverse=db.LocalJacobian())
+    >>> run = db.explore(db.PlanarArm(20), babbling, n=100, rng=0)
+    """
+
+    def __init__(
+        self,
+        k: int = 50,
+        used: int = 10,
+        *,
+        ridge: float = 0.01,
+        reach: float = 0.015,
+        noise: float = 0.3,
+    ) -> None:
+        self.k = whole("k", k, low=1, high=MOST_NEIGHBOURS)
+        self.used = whole("used", used, low=1, high=_MOST_USED)
+        self.ridge = positive("ridge", ridge)
+        self.reach = real("reach", reach, low=0.0, high=1.0)
+        self.noise = real("noise", noise, low=0.0, high=1.0)
+
+    def command(self, goal: ArrayLike, history: History, rng: Generator) -> NDArray[np.float64]:
+        """Return a command: one ``rng.random()`` a motor coordinate.
+
+        Parameters
+        ----------
+        goal : array_like, shape (s,)
+        history : History
+        rng : numpy.random.Generator
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (m,)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If nothing was observed yet, or `goal` is no finite point of the sensory space.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.25], [7.0])
+        >>> history.append([0.5], [9.0])
+        >>> model = db.LocalJacobian(ridge=1e-9, reach=1.0, noise=0.0)
+        >>> model.command([10.0], history, np.random.default_rng(0)).round(5)
+        array([0.625])
+        """
+        return _core.local_jacobian(
+            goal,
+            self.k,
+            self.used,
+            self.ridge,
+            self.reach,
+            self.noise,
+            history.tree,
+            history.commands,
+            history.motor_space.bounds,
+            rng,
+        )
+
+    def __repr__(self) -> str:
+        return (
+            f"LocalJacobian({self.k}, {self.used}, ridge={self.ridge!r}, reach={self.reach!r}, "
+            f"noise={self.noise!r})"
+        )
+
+
+#: A system of so many equations takes a second or so.
+_MOST_USED = 1000

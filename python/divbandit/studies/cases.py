@@ -1,0 +1,154 @@
+"""Cases: what is explored again and again, and the coverages that it reaches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from divbandit.exploration import explore
+from divbandit.measures import Coverage
+from divbandit.paper import setting
+from divbandit.studies.processes import over_processes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.random import SeedSequence
+    from numpy.typing import NDArray
+
+    from divbandit.environments import Environment
+    from divbandit.experiments.explore_many import Progress
+
+    #: Explores an environment with a strategy for n steps and returns the effects.
+    Method = Callable[[Environment, Any, int, SeedSequence], NDArray[np.float64]]
+
+
+def explored(
+    environment: Environment,
+    strategy: Any,  # noqa: ANN401 - what another method takes need be no strategy
+    n: int,
+    rng: SeedSequence,
+) -> NDArray[np.float64]:
+    """Return the effects of an exploration.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import divbandit as db
+    >>> explored(db.PlanarArm(3), db.MotorBabbling(), 5, np.random.SeedSequence(0)).shape
+    (5, 2)
+    """
+    return explore(environment, strategy, n, rng=rng, keep_commands=False).effects
+
+
+@dataclass(frozen=True)
+class Case:
+    """One thing to explore with.
+
+    Attributes
+    ----------
+    strategy : Strategy, or what `method` takes for one
+    at : tuple of int
+        After which steps to tell the coverage; the last is the length of the exploration.
+    place : tuple of int
+        The place among all, from which the seed of each repetition comes.
+    method : callable
+        By default `explored`.
+    environment : Environment
+        By default the paper's arm.
+    """
+
+    strategy: Any
+    at: tuple[int, ...]
+    place: tuple[int, ...]
+    method: Method = explored
+    environment: Environment = setting.arm()  # noqa: RUF009 - never changes
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the repetitions of a case reached.
+
+    Attributes
+    ----------
+    values : numpy.ndarray of float64, shape (repetitions, k)
+        The coverage of each after each of k steps, in square metres.
+    """
+
+    values: NDArray[np.float64]
+
+    @property
+    def means(self) -> NDArray[np.float64]:
+        """The mean after each step told, shape (k,)."""
+        return np.asarray(self.values.mean(axis=0))
+
+    @property
+    def deviations(self) -> NDArray[np.float64]:
+        """The population standard deviation after each step told, shape (k,)."""
+        return np.asarray(self.values.std(axis=0))
+
+    @property
+    def mean(self) -> float:
+        """The mean in the end."""
+        return float(self.means[-1])
+
+    @property
+    def deviation(self) -> float:
+        """The population standard deviation in the end."""
+        return float(self.deviations[-1])
+
+
+def outcomes(
+    cases: Sequence[Case],
+    *,
+    seed: int,
+    repetitions: int,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+) -> list[Outcome]:
+    """Explore each case `repetitions` times.
+
+    Parameters
+    ----------
+    cases : sequence of Case
+    seed : int
+        All randomness comes from it and from the places of the cases.
+    repetitions : int
+        At least 1.
+    jobs : int, optional
+        How many processes; the outcomes do not depend on it.
+    progress : callable, optional
+        Called whenever one more exploration is finished.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> case = Case(db.MotorBabbling(), at=(50, 100), place=(0,))
+    >>> [outcome] = outcomes([case], seed=0, repetitions=3, jobs=1)
+    >>> outcome.values.shape
+    (3, 2)
+    """
+    items = [
+        (case, setting.seed_of(seed, *case.place, repetition))
+        for case in cases
+        for repetition in range(repetitions)
+    ]
+    reached = over_processes(_reached, items, jobs=jobs, progress=progress)
+    return [
+        Outcome(np.array(reached[first : first + repetitions]))
+        for first in range(0, len(items), repetitions)
+    ]
+
+
+def _reached(item: tuple[Case, SeedSequence]) -> list[float]:
+    """Return the coverages that one exploration reaches."""
+    case, seed = item
+    effects = case.method(case.environment, case.strategy, case.at[-1], seed)
+    measured = Coverage(setting.TAU)
+    reached = []
+    for count in case.at:
+        measured.extend(effects[len(measured) : count])
+        reached.append(measured.measure)
+    return reached

@@ -1,0 +1,78 @@
+"""over_processes: a function of many items, each in one of several processes."""
+
+from __future__ import annotations
+
+import signal
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from multiprocessing import get_context
+from typing import TYPE_CHECKING, TypeVar
+
+from divbandit.experiments.workers import available_cores
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from divbandit.experiments.explore_many import Progress
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+
+def over_processes(
+    function: Callable[[Item], Result],
+    items: Sequence[Item],
+    *,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+) -> list[Result]:
+    """Return ``[function(item) for item in items]``, worked out by several processes.
+
+    Explorations with parts in Python take turns where they are threads of one process; here they
+    run side by side. What `function` does must depend on its item alone.
+
+    Parameters
+    ----------
+    function : callable
+        With a name of its own in a module, so that processes find it.
+    items : sequence
+        Picklable.
+    jobs : int, optional
+        How many processes; by default as many as there are cores. With 1 all is done in this one.
+        With more, a script that gets here must be guarded by ``if __name__ == "__main__":``.
+    progress : callable, optional
+        Called without arguments whenever one more is done.
+
+    Raises
+    ------
+    Exception
+        What `function` raises; what was not begun is dropped then.
+
+    Examples
+    --------
+    >>> over_processes(abs, [-1, 2, -3], jobs=1)
+    [1, 2, 3]
+    """
+    jobs = min(available_cores() if jobs is None else jobs, len(items))
+    if jobs <= 1:
+        done = []
+        for item in items:
+            done.append(function(item))
+            if progress is not None:
+                progress()
+        return done
+    with ProcessPoolExecutor(jobs, get_context("spawn"), _leave_interrupts) as executor:
+        futures = [executor.submit(function, item) for item in items]
+        try:
+            for future in as_completed(futures):
+                future.result()
+                if progress is not None:
+                    progress()
+        except BaseException:
+            executor.shutdown(wait=False, cancel_futures=True)
+            raise
+        return [future.result() for future in futures]
+
+
+def _leave_interrupts() -> None:
+    """Let Ctrl-C end the process that waits for the others, which then stops them."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,0 +1,77 @@
+"""``divbandit study`` leaves the files that it promises, and says what is wrong."""
+
+import csv
+
+import pytest
+
+from divbandit.cli import main
+from divbandit.paper import setting
+from divbandit.studies import composition, rules, strategies
+from divbandit.studies.study import STUDIES
+
+SMALL = ["--repetitions", "2", "--steps", "200"]
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """Make every study in small, with one process."""
+    folder = tmp_path_factory.mktemp("studies") / "new"
+    for name in STUDIES:
+        assert main(["study", name, *SMALL, "--jobs", "1", "--out", str(folder)]) == 0
+    return folder
+
+
+def test_every_study_leaves_its_files(made):
+    names = {path.name for path in made.iterdir()}
+    assert names == {f"{name}.{kind}" for name in STUDIES for kind in ("png", "svg", "csv")}
+
+
+@pytest.mark.parametrize(
+    ("name", "count"),
+    [
+        ("rules", rules.explorations(2)),
+        ("strategies", strategies.explorations(2)),
+        ("composition", 3 * composition.explorations(2)),
+    ],
+)
+def test_the_table_of_numbers_has_every_exploration(made, name, count):
+    with (made / f"{name}.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == count
+    assert all(0 < float(row["coverage"]) < 200 * 3.15 * setting.TAU**2 for row in rows)
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_two_processes_leave_the_same_bytes(made, name, tmp_path, capsys):
+    assert main(["study", name, *SMALL, "--jobs", "2", "--out", str(tmp_path)]) == 0
+    for file in tmp_path.iterdir():
+        assert file.read_bytes() == (made / file.name).read_bytes(), file.name
+    printed = capsys.readouterr()
+    assert "ADAPT" in printed.out
+    assert name in printed.err  # the progress bar
+
+
+def test_the_seed_changes_the_numbers(made, tmp_path, capsys):
+    words = ["study", "composition", *SMALL, "--jobs", "1", "--seed", "1", "--out", str(tmp_path)]
+    assert main(words) == 0
+    name = "composition.csv"
+    assert (tmp_path / name).read_bytes() != (made / name).read_bytes()
+    capsys.readouterr()
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (["study"], "name"),
+        (["study", "paint"], "paint"),
+        (["study", "rules", "--repetitions", "0"], "--repetitions"),
+        (["study", "rules", "--steps", "4"], "--steps"),
+        (["study", "rules", "--steps", "many"], "--steps"),
+        (["study", "rules", "--seed", "-1"], "--seed"),
+        (["study", "rules", "--jobs", "0"], "--jobs"),
+        (["study", "rules", "strategies"], "strategies"),
+    ],
+)
+def test_wrong_words_are_named(words, named, capsys):
+    assert main(words) == 2
+    assert named in capsys.readouterr().err

@@ -1,0 +1,139 @@
+"""The studies' numbers: what they are of, and that nothing but the seed changes them."""
+
+import numpy as np
+import pytest
+
+import divbandit as db
+from divbandit.bandits import Discounted
+from divbandit.paper import figure4, setting
+from divbandit.studies import composition, rules, strategies
+from divbandit.studies.cases import Case, Outcome, outcomes
+from divbandit.studies.contenders import CONTENDERS, PAPER, RIVALS
+from divbandit.studies.head_start import HeadStart
+from divbandit.studies.processes import over_processes
+from divbandit.studies.repeating import Repeating
+
+CASES = [
+    Case(db.MotorBabbling(), at=(10, 40), place=(0,)),
+    Case(setting.adapt(0.05), at=(10, 40), place=(1,)),
+]
+
+
+def test_an_outcome_is_the_coverage_of_its_explorations():
+    for case, outcome in zip(CASES, outcomes(CASES, seed=5, repetitions=3, jobs=1), strict=True):
+        for repetition in range(3):
+            seed = setting.seed_of(5, *case.place, repetition)
+            run = db.explore(setting.arm(), case.strategy, 40, rng=seed)
+            covered = run.coverage(setting.TAU)[[9, 39]]
+            np.testing.assert_allclose(outcome.values[repetition], covered, rtol=1e-13)
+
+
+def test_means_and_deviations_are_over_repetitions():
+    outcome = Outcome(np.array([[1.0, 2.0], [3.0, 6.0]]))
+    assert outcome.means.tolist() == [2.0, 4.0]
+    assert outcome.deviations.tolist() == [1.0, 2.0]
+    assert (outcome.mean, outcome.deviation) == (4.0, 2.0)
+
+
+def test_the_number_of_processes_changes_nothing():
+    one, two = (outcomes(CASES, seed=1, repetitions=2, jobs=jobs) for jobs in (1, 2))
+    for left, right in zip(one, two, strict=True):
+        np.testing.assert_array_equal(left.values, right.values)
+
+
+def test_what_a_process_raises_is_raised():
+    with pytest.raises(TypeError):
+        over_processes(abs, [1, "no number", 2], jobs=2)
+
+
+def test_progress_is_told_of_each():
+    told = []
+    assert over_processes(abs, [-1, -2, -3], jobs=1, progress=lambda: told.append(1)) == [1, 2, 3]
+    assert len(told) == 3
+
+
+def test_the_papers_contender_is_adapt_step_by_step():
+    babblings = [db.MotorBabbling(), db.GoalBabbling(0.05)]
+    run = db.explore(setting.arm(), PAPER.over(babblings), 300, rng=0)
+    adapt = db.explore(setting.arm(), setting.adapt(0.05), 300, rng=0)
+    np.testing.assert_array_equal(run.commands, adapt.commands)
+
+
+def test_a_head_start_is_one_credit_of_the_largest_for_each():
+    memory, plain = HeadStart(Discounted(0.5)), Discounted(0.5)
+    for each in (memory, plain):
+        each.begin(2, 4.0)
+    plain.add(0, 4.0)
+    plain.add(1, 4.0)
+    for each in (memory, plain):
+        each.add(1, 1.0)
+    assert list(memory.means) == list(plain.means) == [4.0, 2.0]
+    assert list(memory.counts) == list(plain.counts)
+    assert memory.largest == 4.0
+
+
+def test_no_two_contenders_have_a_name_in_common():
+    assert len({each.name for each in CONTENDERS}) == len(CONTENDERS)
+    assert set(RIVALS) <= set(CONTENDERS)
+
+
+def test_the_mixtures_are_those_of_figure_4():
+    rows = rules.run(2, steps=60, repetitions=2, jobs=1)
+    points = {(p.d, repr(p.motor_ratio)): p.mean for p in figure4.run(2, n=60, repetitions=2)}
+    mixtures = [row for row in rows if row.name == "mixture"]
+    assert len(mixtures) == 63
+    for row in mixtures:
+        assert row.outcome.mean == pytest.approx(points[row.d, row.parts], rel=1e-12)
+
+
+def test_the_best_mixture_is_the_bar():
+    def row(name, parts, value):
+        return rules.Row(0.001, name, parts, Outcome(np.array([[value]])))
+
+    rows = [row("a", "", 1.9), row("mixture", "0.0", 2.0), row("mixture", "0.5", 1.0)]
+    rows.append(row("hindsight", "", 3.0))
+    for d in setting.PERTURBATIONS[1:]:
+        rows += [rules.Row(d, each.name, each.parts, each.outcome) for each in rows[:4]]
+    panel = rules.panels(rows)[0]
+    assert panel.best.parts == "0.0"
+    assert [each.name for each in panel.bandits] == ["a"]
+    assert panel.relative(panel.bandits[0]) == pytest.approx(-0.05)
+    assert panel.hindsight.outcome.mean == 3.0
+
+
+def test_good_strategies_are_spread_geometrically():
+    assert [each.d for each in strategies.good(4)] == pytest.approx([0.02, 0.04, 0.08, 0.16])
+    assert [each.d for each in strategies.good(1)] == pytest.approx([np.sqrt(0.02 * 0.16)])
+
+
+@pytest.mark.parametrize("size", strategies.SIZES)
+def test_a_mix_has_as_many_strategies_as_it_says(size):
+    for mix, count in (("half", size // 2), ("one", 1)):
+        good, bad = strategies.mixed(mix, size)
+        assert (len(good), len(good) + len(bad)) == (count, size)
+
+
+def test_good_ones_alone_cover_more_than_bad_ones():
+    """Over 3 seeds and 3000 steps: 0.9 m² at least against 0.85 at most."""
+
+    def reached(strategy):
+        return np.mean(
+            [
+                db.explore(setting.arm(), strategy, 3000, rng=k).coverage(setting.TAU)[-1]
+                for k in range(3)
+            ]
+        )
+
+    assert min(reached(each) for each in strategies.good(3)) > 0.9
+    assert max(reached(each) for each in strategies.bad(4)) < 0.85
+
+
+def test_repeating_has_one_effect():
+    run = db.explore(setting.arm(), Repeating(), 20, rng=0)
+    assert len(np.unique(run.effects, axis=0)) == 1
+
+
+def test_compositions_differ_from_each_other():
+    rows = composition.run(0, steps=300, repetitions=1, jobs=1)
+    assert [row.at for row in rows] == [(60, 150, 300)] * len(rows)
+    assert len({row.outcome.mean for row in rows}) == len(rows)

@@ -42,6 +42,15 @@ def test_window(credits_, size):
     assert memory.means == [exact(own(credits_, part)[-size:]) for part in range(PARTS)]
 
 
+def test_a_head_start_of_discounted_is_told_first():
+    """Two parts, largest credit 4, gamma 1/2: part 0 gets weight 1/2, part 1 weight 1."""
+    memory = Discounted(0.5, head_start=1)
+    memory.begin(2, 4.0)
+    assert (memory.means, memory.counts) == ([4.0, 4.0], [0.5, 1.0])
+    memory.add(1, 1.0)  # (4 / 2 + 1) / (1 / 2 + 1)
+    assert (memory.means, memory.counts) == ([4.0, 2.0], [0.25, 1.5])
+
+
 @given(told)
 def test_whole_past(credits_):
     """To the rounding of the terms, of which the largest is 1000."""

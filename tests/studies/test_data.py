@@ -4,12 +4,10 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit.bandits import Discounted
 from divbandit.paper import figure4, setting
 from divbandit.studies import composition, rules, strategies
 from divbandit.studies.cases import Case, Outcome, outcomes
 from divbandit.studies.contenders import CONTENDERS, PAPER, RIVALS
-from divbandit.studies.head_start import HeadStart
 from divbandit.studies.processes import over_processes
 from divbandit.studies.repeating import Repeating
 
@@ -57,19 +55,6 @@ def test_the_papers_contender_is_adapt_step_by_step():
     run = db.explore(setting.arm(), PAPER.over(babblings), 300, rng=0)
     adapt = db.explore(setting.arm(), setting.adapt(0.05), 300, rng=0)
     np.testing.assert_array_equal(run.commands, adapt.commands)
-
-
-def test_a_head_start_is_one_credit_of_the_largest_for_each():
-    memory, plain = HeadStart(Discounted(0.5)), Discounted(0.5)
-    for each in (memory, plain):
-        each.begin(2, 4.0)
-    plain.add(0, 4.0)
-    plain.add(1, 4.0)
-    for each in (memory, plain):
-        each.add(1, 1.0)
-    assert list(memory.means) == list(plain.means) == [4.0, 2.0]
-    assert list(memory.counts) == list(plain.counts)
-    assert memory.largest == 4.0
 
 
 def test_no_two_contenders_have_a_name_in_common():

@@ -229,7 +229,7 @@ class Bandit(Composite):
     @property
     def learns_at_once(self) -> bool:
         """Whether the credit has a way for many effects, and all strategies have."""
-        return hasattr(_creditor(self.credit), "of_many") and super().learns_at_once
+        return hasattr(self._credit, "of_many") and super().learns_at_once
 
     def fail(self, trial: Trial, reason: str) -> None:
         """Credit the strategy that proposed the trial with 0."""

@@ -1,4 +1,4 @@
-"""Well-known bandits by name: which parts they are made of."""
+"""Bandits by name: which parts they are made of."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from divbandit.bandits.bandit import Bandit
 from divbandit.bandits.credits import CoverageGain
 from divbandit.bandits.memories import Discounted, RecentWindow, WholePast
-from divbandit.bandits.rules import UCB
+from divbandit.bandits.rules import UCB, Proportional
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -122,6 +122,49 @@ def discounted_ucb(
     (Discounted(0.99), UCB(2.0))
     """
     memory, rule = Discounted(gamma), UCB(4.0 * UCB(xi).xi)
+    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
+
+
+def discounted_adapt(
+    strategies: Iterable[Strategy],
+    *,
+    gamma: float = 0.99,
+    alpha: float = 0.05,
+    power: float = 8.0,
+    credit: Creditor | None = None,
+) -> Bandit:
+    """Return ADAPT with a memory that fades with time, and a sharper choice.
+
+    The paper's window holds a strategy's own last gains, and those of one that is seldom chosen
+    are old; and its proportional choice tells apart little where gains are alike. In the three
+    settings of figure 4 this combination was at most 1.5 % worse than the best fixed mixture, with
+    the paper's strategies and tau (``divbandit study rules``).
+
+    Parameters
+    ----------
+    strategies : iterable of Strategy
+    gamma : float
+        In (0, 1]; about 1 / (1 - gamma) steps are remembered.
+    alpha : float
+        Share of choices made uniformly at random, in [0, 1].
+    power : float
+        Of the mean credit, to which the other choices are in proportion. Not negative.
+    credit : Credit or callable, optional
+        By default ``CoverageGain()``, the paper's discs.
+
+    Returns
+    -------
+    Bandit
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.bandits import discounted_adapt
+    >>> bandit = discounted_adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
+    >>> bandit.memory, bandit.rule
+    (Discounted(0.99, head_start=1), Proportional(0.05, power=8.0))
+    """
+    memory, rule = Discounted(gamma, head_start=1), Proportional(alpha, power=power)
     return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
 
 

@@ -23,7 +23,6 @@ from divbandit.bandits import (
     Window,
 )
 from divbandit.paper import setting
-from divbandit.studies.head_start import HeadStart
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -67,9 +66,9 @@ _SMALL = 0.0009
 PAPER = Contender("ADAPT", Window(50, head_start=1), Proportional(0.1))
 #: What the library recommends.
 DISCOUNTED = Contender(
-    "discounted ADAPT", HeadStart(Discounted(0.99)), Proportional(0.05, power=8.0)
+    "discounted ADAPT", Discounted(0.99, head_start=1), Proportional(0.05, power=8.0)
 )
-GREEDY = Contender("epsilon-greedy", HeadStart(Discounted(0.995)), EpsilonGreedy(0.02))
+GREEDY = Contender("epsilon-greedy", Discounted(0.995, head_start=1), EpsilonGreedy(0.02))
 SLIDING = Contender("SW-UCB, small bonus", RecentWindow(1000), UCB(0.6 * _SMALL))
 FADING = Contender("D-UCB, small bonus", Discounted(0.999), UCB(0.6 * _SMALL))
 THOMPSON = Contender("Thompson", WholePast(), Thompson())
@@ -82,7 +81,7 @@ CONTENDERS = (
     PAPER,
     DISCOUNTED,
     GREEDY,
-    Contender("softmax", HeadStart(Discounted(0.99)), Softmax(0.005)),
+    Contender("softmax", Discounted(0.99, head_start=1), Softmax(0.005)),
     Contender("UCB1", WholePast(), UCB(2.0)),
     Contender("UCB1, small bonus", WholePast(), UCB(0.6 * _SMALL)),
     Contender("SW-UCB", RecentWindow(1000), UCB(0.6)),

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from divbandit._checks import positive, real
-from divbandit.bandits.memories.base import Remembering
+from divbandit._checks import positive, real, whole
+from divbandit.bandits.memories.base import LONGEST, Remembering
 
 
 class Discounted(Remembering):
@@ -18,10 +18,15 @@ class Discounted(Remembering):
     ----------
     gamma : float
         In (0, 1]; with 1 nothing is forgotten. About 1 / (1 - gamma) credits count.
+    head_start : int
+        How many fictitious credits, each the largest possible, each strategy begins with: told one
+        after the other, in order, before all others, and faded like these. Where credits have no
+        bound they are 0.0.
 
     Attributes
     ----------
-    gamma : float
+    gamma, head_start
+        As given.
     means : list of float
         The weighted mean of each strategy's credits; 0.0 if there is none.
     counts : list of float
@@ -32,7 +37,7 @@ class Discounted(Remembering):
     Raises
     ------
     TypeError, ValueError
-        If `gamma` is no number in (0, 1].
+        If `gamma` is no number in (0, 1], or `head_start` is no whole number from 0 to a million.
 
     Examples
     --------
@@ -45,18 +50,22 @@ class Discounted(Remembering):
     ([4.0, 5.0], [0.75, 1.0])
     """
 
-    def __init__(self, gamma: float) -> None:
+    def __init__(self, gamma: float, *, head_start: int = 0) -> None:
         super().__init__()
         positive("gamma", gamma)
         self.gamma = real("gamma", gamma, low=0.0, high=1.0)
+        self.head_start = whole("head_start", head_start, low=0, high=LONGEST)
         self.means: list[float] = []
         self.counts: list[float] = []
 
     def begin(self, parts: int, largest: float) -> None:
-        """Forget all."""
+        """Forget all but the head starts."""
         super().begin(parts, largest)
         self.means = [0.0] * parts
         self.counts = [0.0] * parts
+        for _ in range(self.head_start):
+            for part in range(parts):
+                self.add(part, largest)
 
     def add(self, part: int, credit: float) -> None:
         """Let all weights fade, then add the newest credit with weight 1."""
@@ -70,4 +79,5 @@ class Discounted(Remembering):
             self._widen(credit)
 
     def __repr__(self) -> str:
-        return f"Discounted({self.gamma!r})"
+        head_start = f", head_start={self.head_start!r}" if self.head_start else ""
+        return f"Discounted({self.gamma!r}{head_start})"

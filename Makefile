@@ -11,13 +11,16 @@ PIP    := $(BIN)/python -m pip install --quiet --constraint requirements.txt
 export VIRTUAL_ENV := $(CURDIR)/$(VENV)
 
 .DEFAULT_GOAL := help
-.PHONY: help reproduce test lint types test-rust test-python test-wheel bench fuzz lock clean develop
+.PHONY: help reproduce studies test lint types test-rust test-python test-wheel bench fuzz lock clean develop
 
 help: ## list the verbs
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## /\1\t/' | expand -t 14
 
 reproduce: $(VENV)/.run develop ## the paper's four figures and the comparison, into figures/
 	$(BIN)/divbandit reproduce --out figures
+
+studies: $(VENV)/.run develop ## rules, strategies, composition: the studies of docs/studies.md, into studies/
+	for study in rules strategies composition; do $(BIN)/divbandit study $$study --out studies || exit 1; done
 
 test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI makes
 
@@ -67,7 +70,7 @@ lock: $(VENV)/.test # requirements.txt anew, from pyproject.toml
 		--no-emit-find-links --no-emit-trusted-host --unsafe-package divbandit --output-file requirements.txt pyproject.toml
 
 clean: ## remove all that was built
-	rm -rf target fuzz/target benches/scalar_arm/target .tools dist figures $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf target fuzz/target benches/scalar_arm/target .tools dist figures studies $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # The compiled module, built in place; a moment when nothing has changed.
 develop: $(VENV)/.run

@@ -181,7 +181,12 @@ TABLE = [
     ("Window", "head_start", COUNTS | {"51": 51}, lambda _, x: db.bandits.Window(head_start=x)),
     ("RecentWindow", "size", FROM_1 | HUGE | NONE, lambda _, x: db.bandits.RecentWindow(x)),
     ("Discounted", "gamma", UPTO_1, lambda _, x: db.bandits.Discounted(x)),
-    ("Discounted", "head_start", COUNTS | HUGE, lambda _, x: db.bandits.Discounted(0.5, head_start=x)),
+    (
+        "Discounted",
+        "head_start",
+        COUNTS | HUGE,
+        lambda _, x: db.bandits.Discounted(0.5, head_start=x),
+    ),
     ("Proportional", "alpha", SHARE, lambda _, x: db.bandits.Proportional(x)),
     ("Proportional", "power", NOT_BELOW, lambda _, x: db.bandits.Proportional(power=x)),
     ("EpsilonGreedy", "epsilon", SHARE, lambda _, x: db.bandits.EpsilonGreedy(x)),

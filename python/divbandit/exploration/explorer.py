@@ -168,9 +168,8 @@ class Explorer:
             if len(proposed) != n:
                 raise ValueError(f"propose_many() must return {n} trials, got {len(proposed)}")  # noqa: TRY301
             beliefs = self._strategy.diversities
-            try:
-                commands = self._bounds.commands(np.array([trial.command for trial in proposed]))
-            except (TypeError, ValueError):  # one by one tells which it was
+            commands = self._bounds.gather([trial.command for trial in proposed])
+            if commands is None:  # one by one: lists, other types, and what is wrong with one
                 commands = np.array([self._checked(trial) for trial in proposed])
                 commands.flags.writeable = False
             trials = self._give_out(proposed, list(commands), beliefs)
@@ -266,13 +265,13 @@ class Explorer:
             raise
         self._journal.note(Event.TELL, number)
 
-    def _find(self, trial: Trial) -> tuple[int, Open]:
+    def _find(self, trial: object) -> tuple[int, Open]:
         """Return the number of a trial that is under way, and what is known of it."""
-        number: int | None = getattr(trial, "number", None)
+        if not isinstance(trial, Trial):
+            raise TypeError(f"trial must hold Trials only, got {type(trial).__name__}")
+        number = trial.number
         known = None if number is None else self._open.get(number)
         if number is None or known is None or known[0] is not trial:
-            if not isinstance(trial, Trial):
-                raise TypeError(f"trial must hold Trials only, got {type(trial).__name__}")
             raise ValueError(_NOT_MINE)
         return number, known
 
@@ -285,7 +284,15 @@ class Explorer:
         if not isinstance(trials, Sequence):
             kind = type(trials).__name__
             raise TypeError(f"trial must be a Trial, or a sequence of them, got {kind}")
-        found = dict(map(self._find, trials))
+        found: dict[int, Open] = {}
+        under_way = self._open
+        each: object
+        for each in trials:  # as `_find`; a hundred calls of that take as long as all else here
+            number = each.number if isinstance(each, Trial) else None
+            known = None if number is None else under_way.get(number)
+            if number is None or known is None or known[0] is not each:
+                number, known = self._find(each)  # says what is wrong
+            found[number] = known
         if len(found) < len(trials):
             raise ValueError("trial must hold each trial once")
         points = many("effect", effects, self.history.effect_dim).copy()
@@ -314,7 +321,8 @@ class Explorer:
             if believed is not None:
                 known[row] = believed
             del under_way[number]
-        self.history.record_many(np.array(commands), points, [each.path for each in proposals])
+        block = _block_of(list(found), commands)
+        self.history.record_many(block, points, [each.path for each in proposals])
         self._known = place + len(found)
         try:
             self._strategy.observe_many(proposals, points)
@@ -477,3 +485,20 @@ class Explorer:
 
     def __repr__(self) -> str:
         return f"<Explorer of {self._strategy!r} after {len(self.history)} evaluations>"
+
+
+def _block_of(numbers: list[int], commands: tuple[NDArray[np.float64], ...]) -> NDArray[np.float64]:
+    """Return commands as the rows of one array.
+
+    Those of a whole batch, told in the order in which they were given out, are one already.
+    """
+    n, m = len(commands), len(commands[0])
+    block = commands[0].base
+    if (
+        block is not None
+        and block is commands[-1].base
+        and block.size == n * m
+        and numbers == list(range(numbers[0], numbers[0] + n))
+    ):
+        return block.reshape(n, m)
+    return np.array(commands)

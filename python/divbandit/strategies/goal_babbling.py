@@ -134,7 +134,7 @@ class GoalBabbling(Strategy):
     def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
         """Return what `n` calls of `propose` return; by default in one call into Rust."""
         if len(history) == 0:
-            return [Trial(command) for command in history.motor_space.sample_many(n, rng)]
+            return Trial.many(list(history.motor_space.sample_many(n, rng)))
         goals, d = self._plainly(history)
         if goals is None or d is None:
             return super().propose_many(history, n, rng)
@@ -142,7 +142,7 @@ class GoalBabbling(Strategy):
         drawn, commands = _core.babble(
             n, goals.bounds, d, history.tree, history.commands, space, rng
         )
-        return [Trial(x, goal=goal) for x, goal in zip(commands, drawn, strict=True)]
+        return Trial.many(list(commands), list(drawn))
 
     def _plainly(self, history: History) -> tuple[Box | None, float | None]:
         """Return the box that goals are uniform in, and d; None for what is drawn otherwise."""

@@ -30,7 +30,7 @@ class MotorBabbling(Strategy):
 
     def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
         """Return what `n` calls of `propose` return, in one call into Rust."""
-        return [Trial(command) for command in history.motor_space.sample_many(n, rng)]
+        return Trial.many(list(history.motor_space.sample_many(n, rng)))
 
     def _describe(self, description: Description) -> int:
         return description.engine.motor_babbling()

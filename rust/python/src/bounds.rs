@@ -3,6 +3,7 @@
 use divbandit_core::Bounds;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyList;
 
 use crate::arrays::{Floats, count, number, read_only, read_only_rows};
 use crate::errors::value_error;
@@ -85,6 +86,27 @@ impl PyBounds {
             return Ok(copy.into_any());
         }
         Ok(copy.reshape([values.len() / self.0.dim(), self.0.dim()])?.into_any())
+    }
+
+    /// The commands of a list, each of them an array (dim,) of floats in the box, as the rows of one
+    /// read-only array; None if there is anything else in it.
+    fn gather<'py>(
+        &self,
+        commands: &Bound<'py, PyList>,
+    ) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        let dim = self.0.dim();
+        let mut values = Vec::with_capacity(commands.len() * dim);
+        for command in commands {
+            let Ok(array) = command.cast::<PyArray1<f64>>() else { return Ok(None) };
+            let Ok(array) = array.try_readonly() else { return Ok(None) };
+            let Ok(row) = array.as_slice() else { return Ok(None) };
+            if self.0.check("command", row).is_err() {
+                return Ok(None);
+            }
+            values.extend_from_slice(row);
+        }
+        let rows = read_only(commands.py(), &values)?.reshape([commands.len(), dim])?;
+        Ok(Some(rows))
     }
 
     fn __getnewargs__(&self) -> (Vec<f64>, Vec<f64>) {

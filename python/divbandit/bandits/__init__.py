@@ -18,7 +18,13 @@ from divbandit.bandits.credits import (
 )
 from divbandit.bandits.default import default_strategies, default_strategy
 from divbandit.bandits.memories import Discounted, Memory, RecentWindow, WholePast, Window
-from divbandit.bandits.published import discounted_adapt, discounted_ucb, sliding_window_ucb, ucb1
+from divbandit.bandits.published import (
+    discounted_adapt,
+    discounted_greedy,
+    discounted_ucb,
+    sliding_window_ucb,
+    ucb1,
+)
 from divbandit.bandits.rules import (
     UCB,
     EpsilonGreedy,
@@ -58,6 +64,7 @@ __all__ = [
     "default_strategies",
     "default_strategy",
     "discounted_adapt",
+    "discounted_greedy",
     "discounted_ucb",
     "sliding_window_ucb",
     "ucb1",

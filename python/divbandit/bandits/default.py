@@ -29,7 +29,7 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
     the paper's ADAPT, d = 0.05           1.305 +- 0.051  2.129 +- 0.110  2.639 +- 0.161
     ====================================  ==============  ==============  ==============
 
-    of which pi, the disc that the arm can reach, is the limit. It is made for many motor
+    where discs around all that the arm can reach would cover 3.27. It is made for many motor
     coordinates, few effect coordinates and maps that are smooth at the scale of tau. An exploration
     of few steps gains little from it. A step costs some three times as much as one of ADAPT in
     Python, and it does not run in the engine.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from divbandit.bandits.bandit import Bandit
 from divbandit.bandits.credits import CoverageGain
 from divbandit.bandits.memories import Discounted, RecentWindow, WholePast
-from divbandit.bandits.rules import UCB, Proportional
+from divbandit.bandits.rules import UCB, EpsilonGreedy, Proportional
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -165,6 +165,45 @@ def discounted_adapt(
     (Discounted(0.99, head_start=1), Proportional(0.05, power=8.0))
     """
     memory, rule = Discounted(gamma, head_start=1), Proportional(alpha, power=power)
+    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
+
+
+def discounted_greedy(
+    strategies: Iterable[Strategy],
+    *,
+    gamma: float = 0.995,
+    epsilon: float = 0.02,
+    credit: Creditor | None = None,
+) -> Bandit:
+    """Return a greedy bandit that forgets: the best mean of late, but for a share of the choices.
+
+    In the three settings of figure 4 of Benureau and Oudeyer (2015) it was at most 0.5 % worse than
+    the best of 21 fixed mixtures, and of all bandits here the closest to it
+    (``divbandit study rules``).
+
+    Parameters
+    ----------
+    strategies : iterable of Strategy
+    gamma : float
+        In (0, 1]; about 1 / (1 - gamma) steps are remembered.
+    epsilon : float
+        Share of choices made uniformly at random, in [0, 1].
+    credit : Credit or callable, optional
+        By default ``CoverageGain()``, the paper's discs.
+
+    Returns
+    -------
+    Bandit
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.bandits import discounted_greedy
+    >>> bandit = discounted_greedy([db.MotorBabbling(), db.GoalBabbling(0.05)])
+    >>> bandit.memory, bandit.rule
+    (Discounted(0.995, head_start=1), EpsilonGreedy(0.02))
+    """
+    memory, rule = Discounted(gamma, head_start=1), EpsilonGreedy(epsilon)
     return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
 
 

@@ -280,19 +280,18 @@ class Explorer:
         self._strategy.check(self.history.motor_space, dim, has_goals=False)
         self._dim_is_checked = True
 
-    def _tell_many(self, trials: Sequence[Trial], effects: ArrayLike) -> None:
+    def _tell_many(self, trials: Sequence[object], effects: ArrayLike) -> None:
         if not isinstance(trials, Sequence):
             kind = type(trials).__name__
             raise TypeError(f"trial must be a Trial, or a sequence of them, got {kind}")
         found: dict[int, Open] = {}
         under_way = self._open
-        each: object
         for each in trials:  # as `_find`; a hundred calls of that take as long as all else here
             number = each.number if isinstance(each, Trial) else None
-            known = None if number is None else under_way.get(number)
-            if number is None or known is None or known[0] is not each:
-                number, known = self._find(each)  # says what is wrong
-            found[number] = known
+            opened = None if number is None else under_way.get(number)
+            if number is None or opened is None or opened[0] is not each:
+                number, opened = self._find(each)  # says what is wrong
+            found[number] = opened
         if len(found) < len(trials):
             raise ValueError("trial must hold each trial once")
         points = many("effect", effects, self.history.effect_dim).copy()
@@ -304,8 +303,8 @@ class Explorer:
         if not self._dim_is_checked:
             self._check_dim(points.shape[1])
         if not self._strategy.learns_at_once:
-            for trial, point in zip(trials, points, strict=True):
-                self.tell(trial, point)
+            for known, point in zip(found.values(), points, strict=True):
+                self.tell(known[0], point)
             return
         self._tell_at_once(found, points)
 

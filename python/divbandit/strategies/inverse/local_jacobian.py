@@ -22,9 +22,9 @@ class LocalJacobian:
     The model is of the environment around that command: by how much each effect coordinate changes
     with each motor coordinate. It is fitted to commands near it - of the `k` effects nearest to the
     goal, beside the very nearest, the `used` whose commands are nearest to its command - so that
-    alike effects of commands that are nothing alike, of which there are many where motor coordinates
-    outnumber effect coordinates, do not spoil it. Of all linear models that agree with them the
-    least is taken, in the sense of the sum of squares; directions that no neighbour lies in so
+    alike effects of commands that are nothing alike, of which there are many where coordinates of
+    commands outnumber those of effects, do not spoil it. Of all linear models that agree with them
+    the least is taken, in the sense of the sum of squares; directions that no neighbour lies in so
     remain unused.
 
     The step is the shortest one that the model says leads to the goal, and is shortened where it

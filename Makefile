@@ -29,6 +29,7 @@ bench: $(VENV)/.test develop ## kernels (criterion), peers, whole explorations; 
 	$(BIN)/python benches/peers.py --readme README.md
 	$(BIN)/maturin develop --release --locked --manifest-path benches/scalar_arm/Cargo.toml
 	$(BIN)/python benches/engine.py
+	$(BIN)/python benches/ask_tell.py
 
 fuzz: $(FUZZ) ## the coverage kernels' laws on hostile effects, FUZZ_SECONDS (300) for each target
 	@for target in plane space; do \

@@ -64,11 +64,12 @@ _SMALL = 0.0009
 
 #: The paper's ADAPT.
 PAPER = Contender("ADAPT", Window(50, head_start=1), Proportional(0.1))
-#: What the library recommends.
+#: Sharper than the paper's, by a memory that fades with time.
 DISCOUNTED = Contender(
     "discounted ADAPT", Discounted(0.99, head_start=1), Proportional(0.05, power=8.0)
 )
-GREEDY = Contender("epsilon-greedy", Discounted(0.995, head_start=1), EpsilonGreedy(0.02))
+#: What the library recommends, by the study of rules.
+GREEDY = Contender("discounted greedy", Discounted(0.995, head_start=1), EpsilonGreedy(0.02))
 SLIDING = Contender("SW-UCB, small bonus", RecentWindow(1000), UCB(0.6 * _SMALL))
 FADING = Contender("D-UCB, small bonus", Discounted(0.999), UCB(0.6 * _SMALL))
 THOMPSON = Contender("Thompson", WholePast(), Thompson())

@@ -10,7 +10,7 @@ from divbandit.paper import setting
 from divbandit.plot import ranking, style
 from divbandit.strategies import GoalBabbling, MotorBabbling
 from divbandit.studies.cases import Case, Outcome, outcomes
-from divbandit.studies.contenders import CONTENDERS
+from divbandit.studies.contenders import CONTENDERS, GREEDY
 from divbandit.studies.hindsight import hindsight
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ def draw(rows: Sequence[Row]) -> Figure:
                 "1.5 % below it": (1 - ALLOWED) * best,
                 "greedy in hindsight": panel.hindsight.outcome.mean,
             },
-            highlight=1,
+            highlight=CONTENDERS.index(GREEDY),
             unit="m²",
             ax=ax,
         )

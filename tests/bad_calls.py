@@ -2,6 +2,8 @@
 
 import math
 
+import numpy as np
+
 import divbandit as db
 from tests.bad_values import (
     COUNTS,
@@ -42,12 +44,22 @@ BAD_ROWS = {
 SIZED = without(POINTS, "too short", "too long")
 CORNERS = without(points(1), "empty", "too short", "too long")
 POSITIVE = NUMBERS | {"zero": 0.0, "below zero": -0.1}
+FROM_ONE = NUMBERS | {"below one": 0.99}
+NOT_PARTS = {"a number": 5, "text": "ab", "a class": db.KNearest, "another": db.UniformGoals}
 # A number, or one for each of two coordinates.
 PLACES = without(NUMBERS, "an array") | {"three": [1.0, 1.0, 1.0], "rows": [[1.0, 1.0]]}
 EDGES = PLACES | {"zero": 0.0, "below zero": -0.1, "one is zero": [1.0, 0.0]}
 SHARE = NUMBERS | {"below zero": -1e-9, "above one": 1 + 1e-9}
 STRICT_SHARE = NUMBERS | {"zero": 0.0, "below zero": -0.1, "one": 1.0, "above one": 1.5}
 FROM_1 = COUNTS | {"zero": 0}
+CELLS = without(FROM_1, "a list", "an array", "an array of one") | {
+    "None": None,
+    "none": [],
+    "one is zero": [2, 0],
+    "one is a float": [2, 1.0],
+    "rows": np.array([[2, 2]]),
+    "huge": 10**8,
+}
 # As an index -1 is the last; what is out of range is an IndexError, tested elsewhere.
 NOT_INDICES = without(COUNTS, "negative", "very negative") | {"None": None}
 NOT_FLAGS = {"1": 1, "0.0": 0.0, "None": None, "text": "yes", "a list": [True], "object": object()}
@@ -83,7 +95,41 @@ TABLE = [
     ("Box.sample", "rng", NOT_GENERATORS, lambda w, x: w.box.sample(x)),
     ("Box.contains", "point", POINTS, lambda w, x: w.box.contains(x)),
     ("GoalBabbling", "d", SHARE, lambda _, x: db.GoalBabbling(x)),
-    ("GoalBabbling", "goals", WRONG_SPACES, lambda _, x: db.GoalBabbling(goals=x)),
+    ("GoalBabbling", "goals", WRONG_SPACES | NOT_PARTS, lambda _, x: db.GoalBabbling(goals=x)),
+    ("GoalBabbling", "inverse", NOT_PARTS, lambda _, x: db.GoalBabbling(inverse=x)),
+    (
+        "GoalBabbling with an inverse model",
+        "d",
+        SHARE | {"another": 0.1},
+        lambda _, x: db.GoalBabbling(x, inverse=db.KNearest()),
+    ),
+    ("UniformGoals", "box", WRONG_SPACES, lambda _, x: db.UniformGoals(x)),
+    ("GridGoals", "cells", CELLS, lambda _, x: db.GridGoals(x)),
+    ("GridGoals", "box", WRONG_SPACES, lambda _, x: db.GridGoals(3, box=x)),
+    ("GridGoals", "cells", {"of 3": [2, 2, 2]}, lambda w, x: db.GridGoals(x, box=w.box)),
+    ("UncoveredGoals", "tau", POSITIVE, lambda _, x: db.UncoveredGoals(x)),
+    ("UncoveredGoals", "tries", FROM_1 | HUGE | NONE, lambda _, x: db.UncoveredGoals(1.0, tries=x)),
+    ("UncoveredGoals", "box", WRONG_SPACES, lambda _, x: db.UncoveredGoals(1.0, box=x)),
+    ("FrontierGoals", "tau", POSITIVE, lambda _, x: db.FrontierGoals(x)),
+    ("FrontierGoals", "reach", FROM_ONE, lambda _, x: db.FrontierGoals(1.0, reach=x)),
+    ("FrontierGoals", "tries", FROM_1 | HUGE | NONE, lambda _, x: db.FrontierGoals(1.0, tries=x)),
+    ("FrontierGoals", "box", WRONG_SPACES, lambda _, x: db.FrontierGoals(1.0, box=x)),
+    ("NovelGoals", "candidates", FROM_1 | HUGE | NONE, lambda _, x: db.NovelGoals(x)),
+    ("NovelGoals", "box", WRONG_SPACES, lambda _, x: db.NovelGoals(box=x)),
+    ("sampler.sample", "rng", NOT_GENERATORS, lambda w, x: db.NovelGoals().sample(w.history, x)),
+    ("NearestNeighbor", "d", SHARE, lambda _, x: db.NearestNeighbor(x)),
+    ("NearestNeighbor", "goal", POINTS, lambda w, x: db.NearestNeighbor().command(x, *w.past())),
+    ("KNearest", "k", FROM_1 | HUGE | NONE, lambda _, x: db.KNearest(x)),
+    ("KNearest", "d", SHARE, lambda _, x: db.KNearest(1, x)),
+    ("KNearest", "goal", POINTS, lambda w, x: db.KNearest().command(x, *w.past())),
+    ("KNearest", "rng", NOT_GENERATORS, lambda w, x: db.KNearest().command([0, 0], w.history, x)),
+    ("LocalRegression", "k", FROM_1 | HUGE | NONE, lambda _, x: db.LocalRegression(x)),
+    ("LocalRegression", "d", SHARE, lambda _, x: db.LocalRegression(1, x)),
+    ("LocalRegression", "ridge", POSITIVE, lambda _, x: db.LocalRegression(ridge=x)),
+    ("LocalRegression", "reach", POSITIVE, lambda _, x: db.LocalRegression(reach=x)),
+    ("LocalRegression", "goal", POINTS, lambda w, x: db.LocalRegression().command(x, *w.past())),
+    ("Box.sample_many", "n", COUNTS | HUGE | NONE, lambda w, x: w.box.sample_many(x, w.rng)),
+    ("Box.sample_many", "rng", NOT_GENERATORS, lambda w, x: w.box.sample_many(3, x)),
     ("Mixture", "strategies", NOT_STRATEGIES, lambda _, x: db.Mixture(x)),
     ("Mixture", "weights", NOT_WEIGHTS, lambda _, x: db.Mixture([RMB, RMB], weights=x)),
     ("Schedule", "phases", NOT_PHASES, lambda _, x: db.Schedule(x)),

@@ -2,6 +2,29 @@
 
 import divbandit as db
 
+#: Who draws goals, and who turns them into commands.
+GOALS = {
+    "uniform goals": db.UniformGoals,
+    "goals on a grid": lambda: db.GridGoals([4, 5]),
+    "uncovered goals": lambda: db.UncoveredGoals(0.1),
+    "frontier goals": lambda: db.FrontierGoals(0.1),
+    "novel goals": lambda: db.NovelGoals(3),
+}
+INVERSES = {
+    "nearest neighbour": lambda: db.NearestNeighbor(0.05),
+    "k nearest": lambda: db.KNearest(3, 0.05),
+    "local regression": lambda: db.LocalRegression(8, 0.05),
+}
+
+
+def pairs():
+    """Return goal babbling by each goal sampler with each inverse model."""
+    return {
+        f"{goals}, by {inverse}": db.GoalBabbling(goals=GOALS[goals](), inverse=INVERSES[inverse]())
+        for goals in GOALS
+        for inverse in INVERSES
+    }
+
 
 def compositions():
     """Return fresh strategies for an environment with a plane of effects."""
@@ -36,6 +59,16 @@ def compositions():
         "adapt, by entropy": db.Adapt([rmb(), rgb(0.05)], window=7, measure=db.Entropy([0.1, 0.2])),
         "adapt by the grid, of an adapt": db.Adapt(
             [db.Adapt([rmb(), rgb(0.5)], tau=0.1), rgb(0.05)], measure=db.GridCoverage(0.1)
+        ),
+        **pairs(),
+        "goal babbling, own goals, by a sampler": rgb(goals=db.NovelGoals(2, box=wide)),
+        "quasi-random babbling, by Sobol": db.QuasiRandomBabbling(),
+        "adapt, by quasi-random babbling and others": db.Adapt(
+            [
+                db.Schedule([(9, db.QuasiRandomBabbling()), (None, db.QuasiRandomBabbling())]),
+                rgb(goals=db.GridGoals(3), inverse=db.LocalRegression(5, 0.05)),
+                rgb(inverse=db.KNearest(2, 0.1)),
+            ]
         ),
         "mixture of adapts": db.Mixture([db.Adapt([rmb(), rgb(0.05)]), rmb()]),
         "schedule, then adapt": db.Schedule([(10, rmb()), (None, db.Adapt([rmb(), rgb(0.05)]))]),

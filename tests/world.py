@@ -38,6 +38,9 @@ class World:
         self.trial = self.explorer.ask()
         self.by_hand = db.Trial([0.0, 0.0])
 
+    def past(self):
+        return self.history, self.rng
+
     def measures(self):
         return self.coverage, self.grid, self.sparseness, self.entropy
 

@@ -175,6 +175,7 @@ def local_regression(
     goal: ArrayLike,
     k: int,
     ridge: float,
+    reach: float,
     d: float,
     effects: NearestNeighbors,
     commands: ArrayLike,

@@ -49,6 +49,14 @@ class MyCoverage(db.Coverage):
     pass
 
 
+class MyUniformGoals(db.UniformGoals):
+    pass
+
+
+class MyNearest(db.NearestNeighbor):
+    pass
+
+
 class MyBox(db.Box):
     def sample(self, rng):
         return (self.low + self.high) / 2 + 0 * rng.random()
@@ -117,6 +125,19 @@ STRATEGIES = [
     ),
     (RGB(0.05, goals=WIDE), "strategy.goals", "MyBox"),
     (db.Mixture([RGB(0.05, goals=WIDE)]), "strategy.strategies[0].goals", "MyBox"),
+    (RGB(goals=db.UniformGoals(WIDE)), "strategy.goals.box", "MyBox"),
+    (RGB(goals=MyUniformGoals()), "strategy.goals", "MyUniformGoals"),
+    (RGB(goals=shadowed(db.UniformGoals(), check=nothing)), "strategy.goals", "check"),
+    (RGB(goals=db.NovelGoals()), "strategy.goals", "NovelGoals"),
+    (RGB(goals=db.GridGoals(3)), "strategy.goals", "GridGoals"),
+    (RGB(inverse=db.KNearest()), "strategy.inverse", "KNearest"),
+    (RGB(inverse=MyNearest()), "strategy.inverse", "MyNearest"),
+    (
+        db.Adapt([RMB(), RGB(inverse=db.LocalRegression())]),
+        "strategy.strategies[1].inverse",
+        "LocalRegression",
+    ),
+    (db.QuasiRandomBabbling(), "strategy", "QuasiRandomBabbling"),
     (shadowed(RMB(), propose=half), "strategy", "propose"),
     (shadowed(RMB(), observe=nothing), "strategy", "observe"),
     (shadowed(RMB(), check=nothing), "strategy", "check"),

@@ -1,6 +1,7 @@
 """What holds for every strategy, alone or composed."""
 
 import copy
+import pickle
 
 import numpy as np
 import pytest
@@ -10,11 +11,16 @@ from tests.compositions import NAMES, compositions
 
 ARM = db.PlanarArm(5)
 N = 150
+LEAVES = [name for name, each in compositions().items() if not isinstance(each, db.Composite)]
 
 
 @pytest.fixture(params=NAMES)
 def strategy(request):
     return compositions()[request.param]
+
+
+def pickled(value):
+    return pickle.loads(pickle.dumps(value))  # noqa: S301 - our own
 
 
 def bits(run):
@@ -75,11 +81,12 @@ def test_goals_are_drawn_in_the_box_of_goals(strategy):
         explorer.tell(trial, ARM(trial.command))
 
 
-def test_a_copy_made_half_way_goes_on_alike(strategy):
+@pytest.mark.parametrize("way", [copy.deepcopy, pickled], ids=["deepcopy", "pickle"])
+def test_a_copy_made_half_way_goes_on_alike(strategy, way):
     """Driven by hand, a copy and the original make the same of the same stream."""
     history, rng = db.History(ARM.motor_space, ARM.sensory_space), np.random.default_rng(0)
     step(strategy, history, rng, 40)
-    other, past = copy.deepcopy((strategy, history))
+    other, past = way((strategy, history))
     assert past.commands.tolist() == history.commands.tolist()
     stream = copy.deepcopy(rng)
     step(strategy, history, rng, 40)
@@ -101,8 +108,91 @@ def step(strategy, history, rng, n):
 def test_needs_goals_where_the_environment_has_none(strategy):
     """It says so before the first step, or can do without."""
     environment = db.FunctionEnvironment(ARM, ARM.motor_space)
-    if "GoalBabbling" in repr(strategy) and "goals=" not in repr(strategy):
+    words = repr(strategy)
+    if "GoalBabbling" in words and "=Box(" not in words:
         with pytest.raises(ValueError, match="goals must be given"):
             db.explore(environment, strategy, n=1, rng=0)
     else:
         assert db.explore(environment, strategy, n=N, rng=0).effects.shape == (N, 2)
+
+
+def fresh_history():
+    return db.History(ARM.motor_space, ARM.sensory_space)
+
+
+def test_others_do_not_matter(strategy, request):
+    """Its proposals depend on its own stream, history and trials: two in turn are as two alone."""
+    other = compositions()[request.node.callspec.params["strategy"]]
+    both = [(strategy, fresh_history(), 1), (other, fresh_history(), 2)]
+    alone = []
+    for _, _, seed in both:
+        past = fresh_history()
+        single = compositions()[request.node.callspec.params["strategy"]]
+        step(single, past, np.random.default_rng(seed), 60)
+        alone.append(past.commands.tobytes())
+    streams = [np.random.default_rng(seed) for _, _, seed in both]
+    for _ in range(60):
+        for (each, past, _), rng in zip(both, streams, strict=True):
+            step(each, past, rng, 1)
+    assert [past.commands.tobytes() for _, past, _ in both] == alone
+
+
+@pytest.mark.parametrize("kind", [db.Mixture, db.Adapt])
+def test_it_can_be_a_part(strategy, kind):
+    whole = kind([strategy, db.MotorBabbling()])
+    run = db.explore(ARM, whole, N, rng=0)
+    assert all(ARM.motor_space.contains(command) for command in run.commands)
+    assert set(run.choices.tolist()) == {0, 1}
+    assert bits(db.explore(ARM, whole, N, rng=0)) == bits(run)
+
+
+def babble_with_failures(strategy):
+    """Return all commands of an exploration of which the first trials and every third one fail."""
+    history, rng, commands = fresh_history(), np.random.default_rng(0), []
+    for i in range(90):
+        trial = db.Trial.of(strategy.propose(history, rng))
+        commands.append(list(trial.command))
+        if i < 5 or i % 3 == 0:
+            strategy.fail(trial, "the motor is too hot")
+            continue
+        effect = ARM(trial.command)
+        trial.place = len(history)
+        history.append(trial.command, effect, path=trial.path)
+        strategy.observe(trial, effect)
+    return commands
+
+
+def test_it_goes_on_after_failures(strategy, request):
+    fresh = compositions()[request.node.callspec.params["strategy"]]
+    commands = babble_with_failures(strategy)
+    assert all(ARM.motor_space.contains(command) for command in commands)
+    assert babble_with_failures(fresh) == commands
+
+
+@pytest.mark.parametrize("known", [0, 1, 30])
+@pytest.mark.parametrize("name", LEAVES)
+def test_many_proposals_are_as_many_calls(name, known):
+    """For strategies that choose nobody else: a composite asks each part for its whole share."""
+    strategy, other = compositions()[name], compositions()[name]
+    history, rng, plain = fresh_history(), np.random.default_rng(0), np.random.default_rng(0)
+    step(db.MotorBabbling(), history, np.random.default_rng(1), known)
+    trials = strategy.propose_many(history, 9, rng)
+    expected = [db.Trial.of(other.propose(history, plain)) for _ in range(9)]
+    assert [list(trial.command) for trial in trials] == [list(each.command) for each in expected]
+    for trial, each in zip(trials, expected, strict=True):
+        assert (trial.goal is None) == (each.goal is None)
+        assert trial.goal is None or list(trial.goal) == list(each.goal)
+    assert rng.random() == plain.random()
+    assert strategy.propose_many(history, 0, rng) == []
+
+
+def test_many_proposals_lie_in_the_motor_space(strategy):
+    history, rng = fresh_history(), np.random.default_rng(0)
+    for n in (1, 7, 0, 40):
+        trials = [db.Trial.of(each) for each in strategy.propose_many(history, n, rng)]
+        assert len(trials) == n
+        for trial in trials:
+            assert ARM.motor_space.contains(trial.command)
+            trial.place = len(history)
+            history.append(trial.command, ARM(trial.command), path=trial.path)
+            strategy.observe(trial, history.effects[-1])

@@ -71,3 +71,66 @@ def test_goals_of_another_dimension_are_refused_at_the_first_effect():
     with pytest.raises(ValueError, match="goals must have the dimension of the effects"):
         explorer.tell(trial, [0.0, 0.0])
     assert len(explorer.history) == 0
+
+
+PLAIN_PARTS = [
+    {"goals": db.UniformGoals()},
+    {"inverse": db.NearestNeighbor(0.2)},
+    {"goals": db.UniformGoals(ARM.sensory_space), "inverse": db.NearestNeighbor(0.2)},
+]
+
+
+@pytest.mark.parametrize("engine", ["python", "rust"])
+@pytest.mark.parametrize("parts", PLAIN_PARTS, ids=str)
+def test_the_papers_parts_by_name_are_the_same(parts, engine):
+    d = 0.2 if "inverse" in parts else 0.05
+    expected = db.explore(ARM, db.GoalBabbling(d), 100, rng=3).commands
+    run = db.explore(ARM, db.GoalBabbling(**parts), 100, rng=3, engine=engine)
+    assert run.commands.tobytes() == expected.tobytes()
+
+
+class Corner:
+    """A goal sampler and an inverse model of one's own."""
+
+    def sample(self, history, rng):
+        del history, rng
+        return [1.0, 1.0]
+
+    def command(self, goal, history, rng):
+        del rng
+        return history.motor_space.high * goal[0]
+
+
+def test_parts_of_ones_own():
+    run = db.explore(ARM, db.GoalBabbling(goals=Corner(), inverse=Corner()), 9, rng=0)
+    assert np.all(run.commands[1:] == ARM.limit)
+    trials = db.GoalBabbling(goals=Corner()).propose_many(observed(), 3, np.random.default_rng(0))
+    assert [trial.goal for trial in trials] == [[1.0, 1.0]] * 3
+
+
+def test_a_box_that_draws_in_its_own_way_is_asked():
+    class Middle(db.Box):
+        def sample(self, rng):
+            del rng
+            return (self.low + self.high) / 2
+
+    babbling, rng = db.GoalBabbling(goals=Middle([0, 0], [1, 1])), np.random.default_rng(0)
+    for trial in babbling.propose_many(observed(), 3, rng):
+        assert trial.goal.tolist() == [0.5, 0.5]
+    assert Middle([0], [1]).sample_many(2, rng).tolist() == [[0.5], [0.5]]
+
+
+@pytest.mark.parametrize("goals", [None, db.NovelGoals(2), db.Box([0, 0], [1, 1])], ids=str)
+@pytest.mark.parametrize("inverse", [None, db.KNearest(2, 0.1)], ids=str)
+def test_its_repr_is_the_call_that_makes_it(goals, inverse):
+    babbling = db.GoalBabbling(goals=goals, inverse=inverse)
+    again = eval(repr(babbling), {name: getattr(db, name) for name in db.__all__})  # noqa: S307
+    assert repr(again) == repr(babbling)
+
+
+@pytest.mark.parametrize("s", [1, 3])
+def test_goals_of_another_dimension_are_refused_for_many_as_for_one(s):
+    strategy = db.GoalBabbling(goals=db.Box([0] * s, [1] * s))
+    for call in (strategy.propose, lambda past, rng: strategy.propose_many(past, 2, rng)):
+        with pytest.raises(ValueError, match=r"goals? must have"):
+            call(observed(), np.random.default_rng(0))

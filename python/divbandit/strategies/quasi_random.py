@@ -77,11 +77,13 @@ class QuasiRandomBabbling(Strategy):
 
     def _block(self) -> list[NDArray[np.float64]]:
         """Return the next points, the last one first."""
+        known = self._proposed % _BLOCK
         if self._sequence is None:
             self._sequence = _sobol(self._dim, self._seed)
-            if self._proposed:
-                self._sequence.fast_forward(self._proposed)
-        return list(self._sequence.random(_BLOCK)[::-1])
+            # SciPy's own way to skip points takes no more than 32 digits.
+            for _ in range(self._proposed // _BLOCK):
+                self._sequence.random(_BLOCK)
+        return list(self._sequence.random(_BLOCK)[known:][::-1])
 
     def __getstate__(self) -> dict[str, Any]:
         """Leave out what can be made anew."""

@@ -112,7 +112,7 @@ pub(crate) fn k_nearest<'py>(
 /// >>> effects.extend([[0.0], [4.0], [8.0]])
 /// >>> commands, motor_space = np.array([[-0.9], [-0.2], [0.5]]), Bounds([-1], [1])
 /// >>> rng = np.random.default_rng(0)
-/// >>> local_regression([5.0], 3, 1e-9, 0.0, effects, commands, motor_space, rng).round(6)
+/// >>> local_regression([5.0], 3, 1e-9, 2.0, 0.0, effects, commands, motor_space, rng).round(6)
 /// array([-0.025])
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "options by keyword are Python's, not the kernel's")]
@@ -120,6 +120,7 @@ pub(crate) fn local_regression<'py>(
     goal: &Bound<'py, PyAny>,
     k: &Bound<'py, PyAny>,
     ridge: &Bound<'py, PyAny>,
+    reach: &Bound<'py, PyAny>,
     d: &Bound<'py, PyAny>,
     effects: PyRef<'py, PyNearestNeighbors>,
     commands: &Bound<'py, PyAny>,
@@ -128,12 +129,14 @@ pub(crate) fn local_regression<'py>(
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let motor_space = &motor_space.get().0;
     let goal = Floats::point("goal", goal, Some(effects.0.dim()))?;
-    let (k, ridge, d) = (count("k", k)?, number("ridge", ridge)?, number("d", d)?);
+    let (k, d) = (count("k", k)?, number("d", d)?);
+    let (ridge, reach) = (number("ridge", ridge)?, number("reach", reach)?);
     let commands = Floats::points("commands", commands, motor_space.dim())?;
     let known = observed(&effects, &commands, motor_space)?;
     let mut stream = NumpyStream::lock(rng)?;
-    let command = models::local_regression(&goal.copied()?, k, ridge, d, &known, &mut stream)
-        .map_err(value_error)?;
+    let command =
+        models::local_regression(&goal.copied()?, k, ridge, reach, d, &known, &mut stream)
+            .map_err(value_error)?;
     read_only(rng.py(), &command)
 }
 

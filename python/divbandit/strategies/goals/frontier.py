@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 
 
 class FrontierGoals(BoxedGoals):
-    """Goals that no effect covers, between `tau` and a few `tau` from the nearest effect.
+    """Goals that no effect covers, between `tau` and a few `tau` from one of the effects.
 
-    A goal is drawn as `UncoveredGoals` draws it, and then moved straight towards the effect that
-    is nearest to it, until its distance is uniform between `tau` and `reach` times `tau`. On the
-    way that effect stays the nearest, so that the goal remains uncovered; one that is as near as
-    that already stays where it is. Effects at the border of large uncovered regions are so
-    approached most often, as the nodes of a rapidly exploring random tree are (LaValle 1998).
+    An effect is taken at random, and a point around it, until that is farther than `tau` from
+    every effect, at most `tries` times; then the last one is the goal. What is explored so
+    grows at its border, evenly along it. `UncoveredGoals` are mostly far away where most of the
+    box is out of reach, and those few effects that are nearest to it are then tried again and
+    again.
 
     Parameters
     ----------
@@ -33,11 +33,10 @@ class FrontierGoals(BoxedGoals):
     reach : float
         How far beyond an effect goals lie at most, in `tau`; at least 1.
     tries : int
-        How many points to draw at most until one is uncovered; at least 1. The last one is taken
-        if none is.
+        How many points to draw at most; at least 1. Each costs a search for its nearest effect.
     box : Box or object with ``low`` and ``high``, optional
-        Where goals are drawn; by default the environment's sensory space. Effects may lie
-        outside of it: goals that would are moved to its border, however far that is.
+        Where goals are drawn; by default the environment's sensory space. Points beyond it are
+        moved to its border.
 
     Attributes
     ----------
@@ -58,7 +57,7 @@ class FrontierGoals(BoxedGoals):
     """
 
     def __init__(
-        self, tau: float, *, reach: float = 3.0, tries: int = 20, box: BoxLike | None = None
+        self, tau: float, *, reach: float = 3.0, tries: int = 50, box: BoxLike | None = None
     ) -> None:
         super().__init__(box)
         self.tau = positive("tau", tau)
@@ -66,7 +65,7 @@ class FrontierGoals(BoxedGoals):
         self.tries = whole("tries", tries, low=1, high=MOST_DRAWS)
 
     def sample(self, history: History, rng: Generator) -> NDArray[np.float64]:
-        """Draw a goal: as `UncoveredGoals` does, then one more ``rng.random()``.
+        """Draw a goal: ``rng.random()`` s + 2 times for each of the points drawn.
 
         With nothing observed yet it is uniform in the box, and drawn as such.
 
@@ -91,7 +90,7 @@ class FrontierGoals(BoxedGoals):
         >>> history = db.History(db.Box([0], [1]), db.Box([0], [1]))
         >>> history.append([0.5], [0.0])
         >>> db.FrontierGoals(0.1).sample(history, np.random.default_rng(0))
-        array([0.15395734])
+        array([0.28255112])
         """
         box = self.box_for(history)
         if len(history) == 0:

@@ -36,10 +36,14 @@ class LocalRegression:
     ridge : float
         What is added to the variance of each effect coordinate, as a share of their mean; positive.
         The larger, the smaller the slopes.
+    reach : float
+        How far from the effects' weighted mean the map is followed, in spreads, roots of the mean
+        squared distance from it; positive. Towards a goal beyond it is followed as far as that:
+        otherwise goals out of reach would mean commands in the corners of M.
 
     Attributes
     ----------
-    k, d, ridge
+    k, d, ridge, reach
         As given.
 
     Raises
@@ -54,10 +58,13 @@ class LocalRegression:
     >>> run = db.explore(db.PlanarArm(20), babbling, n=100, rng=0)
     """
 
-    def __init__(self, k: int = 10, d: float = 0.05, *, ridge: float = 1e-3) -> None:
+    def __init__(
+        self, k: int = 10, d: float = 0.05, *, ridge: float = 1e-3, reach: float = 1.0
+    ) -> None:
         self.k = whole("k", k, low=1, high=MOST_NEIGHBOURS)
         self.d = real("d", d, low=0.0, high=1.0)
         self.ridge = positive("ridge", ridge)
+        self.reach = positive("reach", reach)
 
     def command(self, goal: ArrayLike, history: History, rng: Generator) -> NDArray[np.float64]:
         """Return a command: one ``rng.random()`` a motor coordinate.
@@ -84,14 +91,14 @@ class LocalRegression:
         >>> history = db.History(db.Box([0], [1]))
         >>> history.append([0.25], [7.0])
         >>> history.append([0.5], [9.0])
-        >>> model = db.LocalRegression(d=0.0, ridge=1e-9)
+        >>> model = db.LocalRegression(d=0.0, ridge=1e-9, reach=3.0)
         >>> model.command([10.0], history, np.random.default_rng(0)).round(6)
         array([0.625])
         """
         tree, space = history.tree, history.motor_space.bounds
         return _core.local_regression(
-            goal, self.k, self.ridge, self.d, tree, history.commands, space, rng
+            goal, self.k, self.ridge, self.reach, self.d, tree, history.commands, space, rng
         )
 
     def __repr__(self) -> str:
-        return f"LocalRegression({self.k}, {self.d!r}, ridge={self.ridge!r})"
+        return f"LocalRegression({self.k}, {self.d!r}, ridge={self.ridge!r}, reach={self.reach!r})"

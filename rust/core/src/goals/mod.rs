@@ -1,9 +1,9 @@
 //! Goals drawn by what is known already: away from all effects, or just beyond them.
 //!
-//! Each search draws points of a box of goals, one number a coordinate, in order.
+//! Each search draws points of a box of goals until one is right.
 //!
 //! - [`uncovered`]: farther than tau from every effect;
-//! - [`frontier`]: such a goal, drawn near to the effect that is nearest to it;
+//! - [`frontier`]: such a goal around an effect;
 //! - [`novel`]: of a few, the one farthest from its nearest effect;
 //! - [`Untried`]: of a few uncovered ones, the one whose nearest effect was started from least often.
 

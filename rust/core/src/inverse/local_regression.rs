@@ -20,22 +20,27 @@ const BANDWIDTH: f64 = 1.25;
 /// perturbed.
 ///
 /// The fit is weighted, by (1 - (distance / bandwidth)^2)^2, and regularised: `ridge` is a share of
-/// the effects' mean variance. Of effects that are all the same it is the mean of the commands.
+/// the effects' mean variance. The map is followed to at most `reach` spreads from the effects'
+/// weighted mean, where a spread is the root of the mean squared distance from it: beyond, it says
+/// little, and a goal far away would have every coordinate at an end of its range. Of effects that are all the same it is the mean of the commands.
 ///
 /// # Errors
 /// If nothing was observed yet, `goal` is not a finite point of the effects' dimension, `k` is 0,
-/// `ridge` is not positive, `d` is not in [0, 1], or the sizes do not fit; `stream` is then
+/// `ridge` or `reach` is not positive, `d` is not in [0, 1], or the sizes do not fit; `stream` is then
 /// untouched.
 pub fn local_regression(
     goal: &[f64],
     k: usize,
     ridge: f64,
+    reach: f64,
     d: f64,
     observed: &Observed<'_>,
     stream: &mut (impl UniformStream + ?Sized),
 ) -> Result<Vec<f64>, Error> {
-    if !(ridge > 0.0 && ridge.is_finite()) {
-        return Err(Error::Number { name: "ridge", must_be: "positive and finite", got: ridge });
+    for (name, got) in [("ridge", ridge), ("reach", reach)] {
+        if !(got > 0.0 && got.is_finite()) {
+            return Err(Error::Number { name, must_be: "positive and finite", got });
+        }
     }
     let found = observed.neighbours(goal, k)?;
     let farthest = found.last().map_or(0.0, |&(distance, _)| distance);
@@ -49,7 +54,7 @@ pub fn local_regression(
     let weight = |distance: f64| if alike { 1.0 } else { kernel(distance) };
     let mut weights: Vec<f64> = found.iter().map(|&(distance, _)| weight(distance)).collect();
     normalize(&mut weights);
-    let tilted = tilted(goal, ridge, observed, &found, &weights);
+    let tilted = tilted(goal, ridge, reach, observed, &found, &weights);
     observed.perturbed_mean(&found, tilted.as_ref().unwrap_or(&weights), d, stream)
 }
 
@@ -57,6 +62,7 @@ pub fn local_regression(
 fn tilted(
     goal: &[f64],
     ridge: f64,
+    reach: f64,
     observed: &Observed<'_>,
     found: &[(f64, usize)],
     weights: &[f64],
@@ -93,7 +99,16 @@ fn tilted(
             }
         }
     }
-    let slopes = covariance.cholesky()?.solve(&mean.map(|x| -x / spread));
+    let mut offset = mean.map(|x| -x / spread);
+    let mut squared = 0.0;
+    for j in 0..s {
+        squared += offset[j] * offset[j];
+    }
+    let farthest = reach * (s as f64).sqrt();
+    if squared.sqrt() > farthest {
+        offset *= farthest / squared.sqrt();
+    }
+    let slopes = covariance.cholesky()?.solve(&offset);
     let mut tilted = Vec::with_capacity(weights.len());
     for (effect, &weight) in centred.column_iter().zip(weights) {
         let mut slope = 1.0;

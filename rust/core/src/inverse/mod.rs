@@ -23,7 +23,7 @@ pub use local_regression::local_regression;
 pub use nearest::inverse;
 
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::{Error, check_length};
+use crate::error::{Error, check_finite, check_length};
 use crate::kdtree::NearestNeighbors;
 
 /// What was observed, as far as the inverse models look at it.
@@ -50,6 +50,7 @@ impl Observed<'_> {
     /// If `k` is 0, the sizes do not fit, nothing was observed, or `goal` is no finite point.
     fn neighbours(&self, goal: &[f64], k: usize) -> Result<Vec<(f64, usize)>, Error> {
         check_length("goal", goal, self.effects.dim())?;
+        check_finite("goal", goal, goal.len())?;
         check_length("commands", self.commands, self.effects.len() * self.motor_space.dim())?;
         if k == 0 {
             return Err(Error::Count { name: "k", must_be: "at least 1".into(), got: k });

@@ -1,0 +1,211 @@
+"""Each goal sampler draws what a few plain lines of Python draw from the same stream.
+
+Distances in these lines are those of `tests.reference.nearest`, which looks at all effects.
+"""
+
+import copy
+import pickle
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import stats
+
+import divbandit as db
+from tests.generators import state
+from tests.reference.nearest import nearest
+from tests.strategies.known import SEEDS, histories
+
+TAUS = st.sampled_from([1e-9, 0.05, 0.3, 10.0])
+TRIES = st.integers(1, 8)
+EXACT = settings(max_examples=150, deadline=None, derandomize=True)
+LEVEL = 1e-4
+
+SAMPLERS = {
+    "uniform": db.UniformGoals,
+    "grid": lambda **box: db.GridGoals(3, **box),
+    "uncovered": lambda **box: db.UncoveredGoals(0.1, **box),
+    "frontier": lambda **box: db.FrontierGoals(0.1, **box),
+    "novel": lambda **box: db.NovelGoals(3, **box),
+}
+every = pytest.mark.parametrize("sampler", SAMPLERS.values(), ids=SAMPLERS)
+
+
+def streams(seed):
+    return np.random.default_rng(seed), np.random.default_rng(seed)
+
+
+def far(history, goal):
+    return float(nearest(history.effects, goal)[0][0])
+
+
+def same(goal, expected, rng, plain):
+    assert goal.tolist() == expected.tolist()
+    assert state(rng) == state(plain)
+
+
+@given(histories(), TAUS, TRIES, SEEDS)
+@EXACT
+def test_uncovered_goals(history, tau, tries, seed):
+    rng, plain = streams(seed)
+    goal = db.UncoveredGoals(tau, tries=tries).sample(history, rng)
+    for _ in range(tries):
+        expected = history.sensory_space.sample(plain)
+        if far(history, expected) > tau:
+            break
+    same(goal, expected, rng, plain)
+
+
+@given(histories(), st.integers(1, 8), SEEDS)
+@EXACT
+def test_novel_goals(history, candidates, seed):
+    rng, plain = streams(seed)
+    goal = db.NovelGoals(candidates).sample(history, rng)
+    drawn = [history.sensory_space.sample(plain) for _ in range(candidates)]
+    same(goal, max(drawn, key=lambda each: far(history, each)), rng, plain)
+
+
+@given(histories(), TAUS, st.sampled_from([1.0, 1.5, 4.0]), TRIES, SEEDS)
+@EXACT
+def test_frontier_goals(history, tau, reach, tries, seed):
+    rng, plain = streams(seed)
+    goal = db.FrontierGoals(tau, reach=reach, tries=tries).sample(history, rng)
+    box = history.sensory_space
+    for _ in range(tries):
+        centre = history.effects[int(plain.random() * len(history))]
+        direction = np.array([2.0 * plain.random() - 1.0 for _ in range(box.dim)])
+        squared = 0.0
+        for x in direction.tolist():
+            squared += x * x
+        scale = tau * (1.0 + (reach - 1.0) * plain.random()) / np.sqrt(squared)
+        expected = np.clip(centre + direction * scale, box.low, box.high)
+        if far(history, expected) > tau:
+            break
+    same(goal, expected, rng, plain)
+
+
+def test_frontier_goals_are_at_such_distances_and_uncovered():
+    history = db.History(db.Box([0], [1]), db.Box([-9] * 3, [9] * 3))
+    for effect in [[0, 0, 0], [0, 0.1, 0], [2, 2, 2]]:
+        history.append([0.5], effect)
+    goals, rng = db.FrontierGoals(0.5, reach=4.0), np.random.default_rng(0)
+    found = np.array([far(history, goals.sample(history, rng)) for _ in range(2000)])
+    assert 0.5 < found.min() < 0.51
+    assert 1.95 < found.max() <= 2.0 + 1e-12
+
+
+@pytest.mark.parametrize("cells", [1, 4, [1, 5], [3, 2]])
+def test_a_round_of_a_grid_has_a_goal_in_each_cell(cells):
+    history = db.History(db.Box([0], [1]), db.Box([-1, 10], [1, 20]))
+    goals, rng = db.GridGoals(cells), np.random.default_rng(0)
+    shape = [cells] * 2 if isinstance(cells, int) else cells
+    for _ in range(3):
+        drawn = [goals.sample(history, rng) for _ in range(shape[0] * shape[1])]
+        shares = (np.array(drawn) - [-1, 10]) / [2, 10]
+        found = sorted(map(tuple, (shares * shape).astype(int).tolist()))
+        assert found == sorted(product(range(shape[0]), range(shape[1])))
+
+
+def test_cells_come_in_random_order_and_goals_are_uniform_in_them():
+    history = db.History(db.Box([0], [1]), db.Box([0], [1]))
+    goals, rng = db.GridGoals(3), np.random.default_rng(0)
+    drawn = np.array([[goals.sample(history, rng)[0] for _ in range(3)] for _ in range(3000)])
+    orders = [tuple(row) for row in (drawn * 3).astype(int).tolist()]
+    _, counts = np.unique(orders, axis=0, return_counts=True)
+    assert len(counts) == 6
+    assert stats.chisquare(counts).pvalue > LEVEL
+    assert stats.kstest(drawn.ravel(), stats.uniform().cdf).pvalue > LEVEL
+
+
+def test_the_same_grid_sampler_for_boxes_of_other_dimensions():
+    goals, rng = db.GridGoals(2), np.random.default_rng(0)
+    for s in (1, 2, 1, 3):
+        history = db.History(db.Box([0], [1]), db.Box([0] * s, [1] * s))
+        drawn = {tuple((2 * goals.sample(history, rng)).astype(int)) for _ in range(2**s)}
+        assert len(drawn) == 2**s
+
+
+@every
+@given(history=histories(), seed=SEEDS)
+@settings(max_examples=25, deadline=None, derandomize=True)
+def test_goals_lie_in_the_box(sampler, history, seed):
+    rng, own = (
+        np.random.default_rng(seed),
+        db.Box([3] * history.effect_dim, [4] * history.effect_dim),
+    )
+    for box, goals in ((history.sensory_space, sampler()), (own, sampler(box=own))):
+        for _ in range(5):
+            assert box.contains(goals.sample(history, rng))
+
+
+@every
+def test_before_anything_is_observed(sampler):
+    history = db.History(db.Box([0], [1]), db.Box([5], [6]))
+    assert history.sensory_space.contains(sampler().sample(history, np.random.default_rng(0)))
+
+
+@every
+def test_copies_go_on_alike(sampler):
+    history = db.History(db.Box([0], [1]), db.Box([0, 0], [1, 1]))
+    history.append([0.5], [0.5, 0.5])
+    goals, rng = sampler(), np.random.default_rng(0)
+    goals.sample(history, rng)
+    others = copy.deepcopy(goals), pickle.loads(pickle.dumps(goals))  # noqa: S301
+    expected = [goals.sample(history, rng).tolist() for _ in range(12)]
+    for other in others:
+        again = np.random.default_rng(0)
+        sampler().sample(history, again)
+        assert [other.sample(history, again).tolist() for _ in range(12)] == expected
+
+
+@every
+def test_a_repr_is_the_call_that_makes_it(sampler):
+    goals = sampler(box=db.Box([0, 0], [1, 1]))
+    names = {name: getattr(db, name) for name in db.__all__}
+    again = eval(repr(goals), names)  # noqa: S307 - our own text
+    assert repr(again) == repr(goals)
+    assert vars(again) == vars(goals)
+
+
+@every
+def test_what_does_not_fit_is_refused_before_the_first_step(sampler):
+    line, plane = db.Box([0], [1]), db.PlanarArm(3)
+    babbling = db.GoalBabbling(goals=sampler(box=line))
+    with pytest.raises(ValueError, match=r"must have the dimension of the effects, 2, got 1"):
+        db.explore(plane, babbling, n=1)
+    nowhere = db.FunctionEnvironment(plane, plane.motor_space)
+    with pytest.raises(ValueError, match=r"goals must be given a box \(\w+\(box=\.\.\.\)\)"):
+        db.explore(nowhere, db.GoalBabbling(goals=sampler()), n=1)
+    assert (
+        len(db.explore(nowhere, db.GoalBabbling(goals=sampler(box=plane.sensory_space)), n=9)) == 9
+    )
+
+
+@every
+def test_driven_by_hand_what_does_not_fit_is_refused_and_nothing_drawn(sampler):
+    history, rng = db.History(db.Box([0], [1])), np.random.default_rng(0)
+    history.append([0.5], [0.5, 0.5])
+    before = state(rng)
+    with pytest.raises(ValueError, match="goals must be given a box"):
+        sampler().sample(history, rng)
+    assert state(rng) == before
+
+
+def test_cells_of_another_dimension_are_refused():
+    with pytest.raises(ValueError, match="cells must be one number or 2"):
+        db.GridGoals([1, 2, 3], box=db.Box([0, 0], [1, 1]))
+    with pytest.raises(ValueError, match="cells must be one number or 2"):
+        db.explore(db.PlanarArm(3), db.GoalBabbling(goals=db.GridGoals([1, 2, 3])), n=1)
+    with pytest.raises(ValueError, match="cells must be at most 10000000 altogether"):
+        db.GridGoals(10_000, box=db.Box([0, 0], [1, 1]))
+
+
+def test_extreme_effects_and_boxes():
+    history, rng = db.History(db.Box([0], [1])), np.random.default_rng(0)
+    for effect in ([1e308, -1e308], [5e-324, 0.0], [-1e160, 1e200]):
+        history.append([0.5], effect)
+    for box in (db.Box([0, 0], [1, 1]), db.Box([-8e307] * 2, [8e307] * 2), db.Box([1, 1], [1, 1])):
+        for sampler in SAMPLERS.values():
+            assert box.contains(sampler(box=box).sample(history, rng))

@@ -75,6 +75,18 @@ NOT_TASKS = {"None": None, "a number": 5, "a single one": db.Task(db.PlanarArm(2
 NOT_A_TASK = {"None": None, "a tuple": (db.PlanarArm(2), RMB, 3), "a strategy": RMB}
 NOT_COUNTS = {f"one is {name}": [1, value] for name, value in FROM_1.items()}
 NOT_ONE = {"None": None, "a class": db.MotorBabbling, "text": "ab", "a list": [RMB]}
+NOT_BELOW = NUMBERS | {"below zero": -0.1}
+UPTO_1 = SHARE | {"zero": 0.0}
+NOT_PARTS = {"None": None, "7": 7, "a class": db.bandits.Window, "text": "ab", "a strategy": RMB}
+NOT_CREDITS = {"7": 7, "a class": db.bandits.Gain, "text": "ab", "a measure": Grid(1.0)}
+
+
+def bandit(**part):
+    """Return a bandit, one part of which is another."""
+    b = db.bandits
+    whole = {"credit": b.CoverageGain(), "memory": b.Window(), "rule": b.UCB()} | part
+    return db.Bandit(whole.pop("strategies", [RMB]), **whole)
+
 
 # (what is called, the argument, what is passed, how)
 TABLE = [
@@ -123,6 +135,20 @@ TABLE = [
     ("KNearest", "d", SHARE, lambda _, x: db.KNearest(1, x)),
     ("KNearest", "goal", POINTS, lambda w, x: db.KNearest().command(x, *w.past())),
     ("KNearest", "rng", NOT_GENERATORS, lambda w, x: db.KNearest().command([0, 0], w.history, x)),
+    ("UntriedGoals", "tau", POSITIVE, lambda _, x: db.UntriedGoals(x)),
+    ("UntriedGoals", "candidates", FROM_1 | HUGE, lambda _, x: db.UntriedGoals(1.0, candidates=x)),
+    ("UntriedGoals", "tries", FROM_1 | HUGE | NONE, lambda _, x: db.UntriedGoals(1.0, tries=x)),
+    ("UntriedGoals", "reach", FROM_ONE, lambda _, x: db.UntriedGoals(1.0, reach=x)),
+    ("UntriedGoals", "box", WRONG_SPACES, lambda _, x: db.UntriedGoals(1.0, box=x)),
+    ("LocalJacobian", "k", FROM_1 | HUGE | NONE, lambda _, x: db.LocalJacobian(x)),
+    ("LocalJacobian", "used", FROM_1 | HUGE | NONE, lambda _, x: db.LocalJacobian(9, x)),
+    ("LocalJacobian", "ridge", POSITIVE, lambda _, x: db.LocalJacobian(ridge=x)),
+    ("LocalJacobian", "reach", SHARE, lambda _, x: db.LocalJacobian(reach=x)),
+    ("LocalJacobian", "noise", SHARE, lambda _, x: db.LocalJacobian(noise=x)),
+    ("LocalJacobian", "goal", POINTS, lambda w, x: db.LocalJacobian().command(x, *w.past())),
+    ("default_strategy", "tau", POSITIVE, lambda _, x: db.default_strategy(x)),
+    ("default_strategy", "box", WRONG_SPACES, lambda _, x: db.default_strategy(1.0, goals=x)),
+    ("default_strategies", "tau", POSITIVE, lambda _, x: db.default_strategies(x)),
     ("LocalRegression", "k", FROM_1 | HUGE | NONE, lambda _, x: db.LocalRegression(x)),
     ("LocalRegression", "d", SHARE, lambda _, x: db.LocalRegression(1, x)),
     ("LocalRegression", "ridge", POSITIVE, lambda _, x: db.LocalRegression(ridge=x)),
@@ -150,6 +176,32 @@ TABLE = [
         NUMBERS | {"another": 0.1},
         lambda _, x: db.Adapt([RMB], tau=x, measure=Grid(1.0)),
     ),
+    ("Adapt", "power", NOT_BELOW, lambda _, x: db.Adapt([RMB], power=x)),
+    ("Bandit", "strategies", NOT_STRATEGIES, lambda _, x: bandit(strategies=x)),
+    ("Bandit", "credit", NOT_CREDITS, lambda _, x: bandit(credit=x)),
+    ("Bandit", "memory", NOT_PARTS, lambda _, x: bandit(memory=x)),
+    ("Bandit", "rule", NOT_PARTS, lambda _, x: bandit(rule=x)),
+    ("CoverageGain", "tau", POSITIVE, lambda _, x: db.bandits.CoverageGain(x)),
+    ("Gain", "measure", NOT_MEASURES | NONE, lambda _, x: db.bandits.Gain(x)),
+    ("FunctionCredit", "function", NOT_CALLABLE, lambda _, x: db.bandits.FunctionCredit(x)),
+    ("FunctionCredit", "bound", NOT_BELOW, lambda _, x: db.bandits.FunctionCredit(abs, bound=x)),
+    ("Window", "size", FROM_1 | HUGE | NONE, lambda _, x: db.bandits.Window(x)),
+    ("Window", "head_start", COUNTS | {"51": 51}, lambda _, x: db.bandits.Window(head_start=x)),
+    ("RecentWindow", "size", FROM_1 | HUGE | NONE, lambda _, x: db.bandits.RecentWindow(x)),
+    ("Discounted", "gamma", UPTO_1, lambda _, x: db.bandits.Discounted(x)),
+    ("Proportional", "alpha", SHARE, lambda _, x: db.bandits.Proportional(x)),
+    ("Proportional", "power", NOT_BELOW, lambda _, x: db.bandits.Proportional(power=x)),
+    ("EpsilonGreedy", "epsilon", SHARE, lambda _, x: db.bandits.EpsilonGreedy(x)),
+    ("Softmax", "temperature", POSITIVE, lambda _, x: db.bandits.Softmax(x)),
+    ("Softmax", "scaled", NOT_FLAGS, lambda _, x: db.bandits.Softmax(scaled=x)),
+    ("UCB", "xi", NOT_BELOW, lambda _, x: db.bandits.UCB(x)),
+    ("Exp3", "gamma", UPTO_1, lambda _, x: db.bandits.Exp3(x)),
+    ("Exp3S", "gamma", UPTO_1, lambda _, x: db.bandits.Exp3S(x)),
+    ("Exp3S", "alpha", UPTO_1, lambda _, x: db.bandits.Exp3S(alpha=x)),
+    ("ucb1", "credit", NOT_CREDITS, lambda _, x: db.bandits.ucb1([RMB], credit=x)),
+    ("sw-ucb", "size", FROM_1, lambda _, x: db.bandits.sliding_window_ucb([RMB], window=x)),
+    ("d-ucb", "gamma", UPTO_1, lambda _, x: db.bandits.discounted_ucb([RMB], gamma=x)),
+    ("d-ucb", "xi", NOT_BELOW, lambda _, x: db.bandits.discounted_ucb([RMB], gamma=1, xi=x)),
     ("Composite", "strategies", NOT_STRATEGIES, lambda _, x: InTurn(x)),
     ("explore", "environment", NOT_WORLDS, lambda w, x: db.explore(x, RMB, n=1, rng=w.rng)),
     ("explore", "strategy", NOT_ONE, lambda w, x: db.explore(w.arm, x, n=1, rng=w.rng)),

@@ -9,11 +9,13 @@ GOALS = {
     "uncovered goals": lambda: db.UncoveredGoals(0.1),
     "frontier goals": lambda: db.FrontierGoals(0.1),
     "novel goals": lambda: db.NovelGoals(3),
+    "untried goals": lambda: db.UntriedGoals(0.1),
 }
 INVERSES = {
     "nearest neighbour": lambda: db.NearestNeighbor(0.05),
     "k nearest": lambda: db.KNearest(3, 0.05),
     "local regression": lambda: db.LocalRegression(8, 0.05),
+    "local Jacobian": db.LocalJacobian,
 }
 
 
@@ -26,8 +28,8 @@ def pairs():
     }
 
 
-def compositions():
-    """Return fresh strategies for an environment with a plane of effects."""
+def plain():
+    """Return fresh strategies, and the bandit Adapt over them."""
     rmb, rgb = db.MotorBabbling, db.GoalBabbling
     wide = db.Box([-2, -3], [2, 3])
     return {
@@ -72,6 +74,65 @@ def compositions():
         ),
         "mixture of adapts": db.Mixture([db.Adapt([rmb(), rgb(0.05)]), rmb()]),
         "schedule, then adapt": db.Schedule([(10, rmb()), (None, db.Adapt([rmb(), rgb(0.05)]))]),
+    }
+
+
+def compositions():
+    """Return fresh strategies for an environment with a plane of effects."""
+    return plain() | bandits() | defaults()
+
+
+def bandits():
+    """Return fresh bandits of other parts than Adapt's."""
+    parts, b = [db.MotorBabbling(), db.GoalBabbling(0.05)], db.bandits
+    return {
+        "bandit, ucb1": b.ucb1(parts),
+        "bandit, ucb1 by sparseness": b.ucb1(parts, credit=b.Gain(db.Sparseness(3))),
+        "bandit, sliding-window ucb": b.sliding_window_ucb(parts, window=20),
+        "bandit, discounted ucb by the grid": b.discounted_ucb(
+            parts, gamma=0.9, credit=b.Gain(db.GridCoverage(0.1))
+        ),
+        "bandit, thompson by progress": db.Bandit(
+            parts, credit=b.CompetenceProgress(), memory=b.WholePast(), rule=b.Thompson()
+        ),
+        "bandit, exp3": db.Bandit(
+            parts, credit=b.CoverageGain(), memory=b.Window(9), rule=b.Exp3(0.2)
+        ),
+        "bandit, softmax over an exp3s": db.Bandit(
+            [
+                db.Bandit(
+                    [db.GoalBabbling(0.5), db.MotorBabbling()],
+                    credit=b.CoverageGain(0.1),
+                    memory=b.Discounted(0.95),
+                    rule=b.Exp3S(0.3, 0.01),
+                ),
+                db.GoalBabbling(0.001),
+            ],
+            credit=b.CoverageGain(0.05),
+            memory=b.RecentWindow(30),
+            rule=b.Softmax(0.2),
+        ),
+        "bandit, greedy": db.Bandit(
+            parts, credit=b.CoverageGain(), memory=b.Discounted(0.9), rule=b.EpsilonGreedy(0.2)
+        ),
+        "the paper's three parts": db.Bandit(
+            parts, credit=b.CoverageGain(0.1), memory=b.Window(7), rule=b.Proportional(power=2)
+        ),
+        "adapt, to a power": db.Adapt(parts, tau=0.1, window=7, power=1.5),
+    }
+
+
+def defaults():
+    """Return the library's own composition, alone and within others."""
+    wide = db.Box([-2, -3], [2, 3])
+    return {
+        "the default": db.default_strategy(0.1),
+        "the default, own goals, in a mixture": db.Mixture(
+            [db.default_strategy(0.05, goals=wide), db.MotorBabbling()]
+        ),
+        "the default's strategies twice": db.Adapt(
+            [*db.default_strategies(0.1), *db.default_strategies(0.02)], tau=0.1
+        ),
     }
 
 

@@ -13,6 +13,7 @@ CORE = (
     "Bounds",
     "Coverage",
     "Engine",
+    "ExactSum",
     "NearestNeighbors",
     "PlanarArm",
     "as_point",
@@ -53,6 +54,16 @@ def public():
     return names
 
 
+def of_bandits():
+    """Yield the names of the package of bandits, each with what it is."""
+    for name in db.bandits.__all__:
+        item = getattr(db.bandits, name)
+        yield f"bandits.{name}", item
+        for key, _, reached in members(f"bandits.{name}", item):
+            if callable(reached):
+                yield key, reached
+
+
 def compiled():
     for name in CORE:
         item = getattr(_core, name)
@@ -62,7 +73,11 @@ def compiled():
 
 
 PUBLIC = public()
-DOCUMENTED = {name: reached for name, (_, reached) in PUBLIC.items()} | dict(compiled())
+DOCUMENTED = {
+    **{name: reached for name, (_, reached) in PUBLIC.items()},
+    **dict(of_bandits()),
+    **dict(compiled()),
+}
 
 
 def is_field(name):
@@ -112,6 +127,16 @@ def test_its_examples_run(name, tmp_path, monkeypatch):
     runner = doctest.DocTestRunner(verbose=False)
     runner.run(test, out=report.append)
     assert runner.summarize(verbose=False).failed == 0, "".join(report)
+
+
+@pytest.mark.parametrize("name", dict(of_bandits()))
+def test_a_part_of_a_bandit_has_a_docstring(name):
+    assert inspect.getdoc(dict(of_bandits())[name])
+
+
+@pytest.mark.parametrize("name", db.bandits.__all__)
+def test_a_part_of_a_bandit_shows_an_example(name):
+    assert examples_in(getattr(db.bandits, name))
 
 
 def lacks_an_example(name):

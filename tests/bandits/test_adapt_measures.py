@@ -183,7 +183,7 @@ def test_what_was_measured_is_left_out_of_pickles():
     for _ in range(100):
         run.step(0, new=True)
     state = run.adapt.__getstate__()
-    assert state["_measured"] is None
+    assert state["_credit"].__getstate__()["_measured"] is None
     assert len(pickle.dumps(state["measure"])) == empty
 
 

@@ -95,7 +95,10 @@ def _adapt(draw, *limits):
     window, tau = draw(st.integers(1, 60)), draw(TAUS)
     by = {"measure": db.Coverage(tau)} if draw(st.integers(0, 3)) == 0 else {"tau": tau}
     head_start = draw(st.one_of(st.sampled_from([0, 1, window]), st.integers(0, window)))
-    return db.Adapt(parts, window=window, alpha=draw(SHARES), head_start=head_start, **by)
+    power = draw(st.sampled_from([1.0, 1.0, 1.0, 0.0, 0.5, 3.0]))
+    return db.Adapt(
+        parts, window=window, alpha=draw(SHARES), head_start=head_start, power=power, **by
+    )
 
 
 def _use(strategy, steps):

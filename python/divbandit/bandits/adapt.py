@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from divbandit._checks import real, whole
 from divbandit._engine import NotBuiltInError
@@ -125,8 +125,9 @@ class Adapt(Bandit):
     @alpha.setter
     def alpha(self, alpha: float) -> None:
         self._alpha = alpha
-        rule = copy.copy(self._rule)
-        rule.alpha = alpha  # type: ignore[attr-defined]
+        rule = copy.copy(self._rule)  # which a copy of this object may share
+        rule.alpha = alpha
+        rule.begin(len(self.strategies), self._largest)
         self._rule = rule
 
     @property

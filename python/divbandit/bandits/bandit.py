@@ -10,7 +10,17 @@ from divbandit._engine import NotBuiltInError, without_replacements
 from divbandit.bandits.credits import Credit, FunctionCredit
 from divbandit.bandits.credits.measured import Measured
 from divbandit.bandits.memories import Memory, Window
-from divbandit.bandits.rules import Proportional, Rule
+from divbandit.bandits.rules import (
+    UCB,
+    EpsilonGreedy,
+    Exp3,
+    Exp3S,
+    Proportional,
+    RoundRobin,
+    Rule,
+    Softmax,
+    Uniform,
+)
 from divbandit.measures import Coverage
 from divbandit.strategies.composite import Composite
 
@@ -30,6 +40,9 @@ if TYPE_CHECKING:
 
 #: Credits beyond this could not be summed up.
 _MOST = 1e300
+
+#: Rules whose choices need no check: a pair, of an index and a probability.
+_PAIRED = frozenset({EpsilonGreedy, Exp3, Exp3S, Proportional, RoundRobin, Softmax, UCB, Uniform})
 
 #: The dimension that effects are taken to have until the first of them tells it.
 _PLANE = 2
@@ -82,11 +95,11 @@ class Bandit(Composite):
     memory: Memory
     rule: Rule
 
-    def __init_subclass__(cls, **options: Any) -> None:
+    def __init_subclass__(cls, **options: Any) -> None:  # noqa: ANN401 - as any class
         """Let a `choose` of one's own have its way: the probability of its choice is not known."""
         super().__init_subclass__(**options)
         if "choose" in vars(cls) and "_choose" not in vars(cls):
-            cls._choose = Composite._choose  # type: ignore[method-assign]
+            cls._choose = Composite._choose  # type: ignore[method-assign]  # noqa: SLF001 - its base
 
     def __init__(
         self, strategies: Iterable[Strategy], *, credit: Creditor, memory: Memory, rule: Rule
@@ -108,8 +121,10 @@ class Bandit(Composite):
         memory, rule = copy.deepcopy(self.memory), copy.deepcopy(self.rule)
         memory.begin(len(self.strategies), largest)
         rule.begin(len(self.strategies), largest)
-        self._credit, self._memory, self._rule = credit, memory, rule
+        self._credit, self._memory = credit, memory
+        self._rule: Any = rule
         self._rule_learns = hasattr(rule, "learn")
+        self._rule_is_paired = type(rule) in _PAIRED
         self._dim, self._largest = dim, largest
         self._told = 0  # effects in the history, up to the last one that was told
         self._failed: list[tuple[int, float | None]] = []  # while the dimension is not known
@@ -131,24 +146,30 @@ class Bandit(Composite):
 
         What a bandit remembers belongs to one history; asked about another, it begins anew.
         """
-        return Bandit._choose(self, history, rng, own=True)[0]
+        return self._chosen(history, rng)[0]
 
-    def _choose(
-        self, history: History, rng: Generator, *, own: bool = False
-    ) -> tuple[int, float | None]:
-        if "choose" in self.__dict__ and not own:  # replaced, in this object alone
+    def _choose(self, history: History, rng: Generator) -> tuple[int, float | None]:
+        if "choose" in self.__dict__:  # replaced, in this object alone
             return super()._choose(history, rng)
+        if history is self._history:
+            chosen: tuple[int, float | None] = self._rule.choose(self._memory, rng)
+            return chosen if self._rule_is_paired else self._checked(chosen)
+        return self._chosen(history, rng)
+
+    def _chosen(self, history: History, rng: Generator) -> tuple[int, float | None]:
+        """Return whom the rule chooses, and with which probability, if it says so."""
         if history is not self._history:
             self._begin(history)
-        chosen = self._rule.choose(self._memory, rng)
-        if type(chosen) is tuple and len(chosen) == 2:
-            index, probability = chosen
-            if type(index) is int and 0 <= index < len(self.strategies):
-                if type(probability) is float and 0.0 < probability <= 1.0:
-                    return chosen
-                return index, _probability(probability)
-        else:
-            index, probability = chosen, None  # type: ignore[assignment]
+        return self._checked(self._rule.choose(self._memory, rng))
+
+    def _checked(self, chosen: object) -> tuple[int, float | None]:
+        pair = chosen if isinstance(chosen, tuple) else (chosen, None)
+        if len(pair) != 2:
+            raise ValueError(
+                "rule.choose() must be an index, or a pair of an index and a probability, "
+                f"got {len(pair)} values"
+            )
+        index, probability = pair
         last = len(self.strategies) - 1
         return whole("rule.choose()", index, low=0, high=last), _probability(probability)
 
@@ -160,7 +181,7 @@ class Bandit(Composite):
             history = self._history
         if self._dim is None:
             self._learn_dimension()
-        credit = self._credit.of(trial, effect, history)  # type: ignore[arg-type]
+        credit = self._credit.of(trial, effect, history)
         if type(credit) is not float or not -_MOST <= credit <= _MOST:
             credit = _credited(credit)
         super().observe(trial, effect)
@@ -169,7 +190,7 @@ class Bandit(Composite):
         part = trial.path[0]
         self._memory.add(part, credit)
         if self._rule_learns:
-            self._rule.learn(part, credit, trial.probability)  # type: ignore[attr-defined]
+            self._rule.learn(part, credit, trial.probability)
 
     def observe_many(self, trials: Sequence[Trial], effects: NDArray[np.float64]) -> None:
         """Credit the strategies that proposed the trials: as `observe` of one after the other."""
@@ -179,24 +200,21 @@ class Bandit(Composite):
             return
         if not trials:
             return
-        if self._history is None or any(trial.place is None for trial in trials):
-            first = self._newest() + 1 - len(trials)
-            for row, trial in enumerate(trials):
-                trial.place = first + row
+        last = self._last_of(trials)
         if self._dim is None:
             self._learn_dimension()
-        credits_ = self._credit.of_many(trials, effects, self._history)
-        for row, credit in enumerate(credits_):
+        earned = self._credit.of_many(trials, effects, self._history)
+        for row, credit in enumerate(earned):
             if type(credit) is not float or not -_MOST <= credit <= _MOST:
-                credits_[row] = _credited(credit)
+                earned[row] = _credited(credit)
         super().observe_many(trials, effects)
-        self._told = max(self._told, 1 + max(trial.place or 0 for trial in trials))
+        self._told = max(self._told, last + 1)
         add = self._memory.add
-        for trial, credit in zip(trials, credits_, strict=True):
+        for trial, credit in zip(trials, earned, strict=True):
             add(trial.path[0], credit)
         if self._rule_learns:
-            learn = self._rule.learn  # type: ignore[attr-defined]
-            for trial, credit in zip(trials, credits_, strict=True):
+            learn = self._rule.learn
+            for trial, credit in zip(trials, earned, strict=True):
                 learn(trial.path[0], credit, trial.probability)
 
     @property
@@ -214,7 +232,16 @@ class Bandit(Composite):
     def _credit_failure(self, part: int, probability: float | None) -> None:
         self._memory.add(part, 0.0)
         if self._rule_learns:
-            self._rule.learn(part, 0.0, probability)  # type: ignore[attr-defined]
+            self._rule.learn(part, 0.0, probability)
+
+    def _last_of(self, trials: Sequence[Trial]) -> int:
+        """Return the last place of the trials' effects; if told by hand, these are the newest."""
+        places = [-1 if trial.place is None else trial.place for trial in trials]
+        if self._history is None or -1 in places:
+            first = self._newest() + 1 - len(trials)
+            for row, trial in enumerate(trials):
+                trial.place = places[row] = first + row
+        return max(places)
 
     def _newest(self) -> int:
         """Return the place of the newest effect, of which the bandit was not told yet."""
@@ -302,7 +329,7 @@ def _probability(probability: object) -> float | None:
     """Return the probability of a choice as a float, if it is known."""
     if probability is None:
         return None
-    number = real("probability of rule.choose()", probability, low=0.0, high=1.0)
+    number = real("probability of rule.choose()", probability, low=0.0, high=1.0 + 1e-9)
     if number == 0.0:
         raise ValueError("probability of rule.choose() must be positive for what it chose, got 0.0")
-    return number
+    return min(1.0, number)  # what sums and products of probabilities lead to is rounded

@@ -93,6 +93,10 @@ fn strategies_refuse_what_their_arguments_must_not_be() {
             "window must be from 1 to 1000000, got 1000001",
         ),
         (Adapt::new(2, empty(), 5, 1.5, 1), "alpha must be in [0, 1], got 1.5"),
+        (
+            Adapt::new(2, empty(), 5, 0.1, 1).and_then(|adapt| adapt.with_power(-1.0)),
+            "power must be finite and not negative, got -1.0",
+        ),
         (Adapt::new(2, empty(), 5, 0.1, 6), "head_start must be at most the window, got 6"),
     ] {
         assert_eq!(message(refused), expected);

@@ -13,6 +13,7 @@ mod coverage;
 mod elementary;
 mod engine;
 mod errors;
+mod exact_sum;
 mod goals;
 mod inverse;
 mod kdtree;
@@ -31,6 +32,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<bounds::PyBounds>()?;
     module.add_class::<coverage::PyCoverage>()?;
     module.add_class::<engine::PyEngine>()?;
+    module.add_class::<exact_sum::PyExactSum>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
     module.add_function(wrap_pyfunction!(elementary::exp, module)?)?;
     module.add_function(wrap_pyfunction!(elementary::log, module)?)?;

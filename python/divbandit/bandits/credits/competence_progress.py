@@ -63,8 +63,8 @@ class CompetenceProgress:
         goal = as_point("goal", trial.goal, effects.shape[1])
         _, nearest = self._before(place, effects).nearest(goal)
         progress = _distance(goal, effects[nearest]) - _distance(goal, effect)
-        # Written so that of two distances beyond all numbers, whose difference is none, 0 remains.
-        return progress if progress > 0.0 else 0.0
+        # In this order: of two distances beyond all numbers, whose difference is none, 0.0 remains.
+        return max(0.0, progress)
 
     def of_many(
         self, trials: Sequence[Trial], effects: NDArray[np.float64], history: History
@@ -94,7 +94,7 @@ class CompetenceProgress:
 def _distance(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
     """Return the Euclidean distance, by plain operations in order; nothing overflows in between."""
     differences = [abs(x - y) for x, y in zip(one.tolist(), other.tolist(), strict=True)]
-    largest = max(differences)
+    largest: float = max(differences)
     if not 0.0 < largest < float("inf"):
         return largest
     total = 0.0

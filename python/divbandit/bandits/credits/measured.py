@@ -52,9 +52,9 @@ class Measured(ABC):
     ) -> list[float]:
         """Return the gains of effects, each given all before it in the history."""
         del effects  # those of others in between are in the history alone
-        places = [_place_of(trial) for trial in trials]
-        if not places:
+        if not trials:
             return []
+        places = [trial.place if trial.place is not None else _place_of(trial) for trial in trials]
         first, end = min(places), max(places) + 1
         measured = self._up_to(first, history)
         found = np.asarray(measured.extend(history.effects[first:end]), dtype=np.float64)

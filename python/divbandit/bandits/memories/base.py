@@ -13,9 +13,8 @@ class Remembering:
     --------
     >>> memory = Remembering()
     >>> memory.begin(2, 0.0)
-    >>> memory.widen(-3.0)
     >>> memory.largest
-    3.0
+    0.0
     """
 
     def __init__(self) -> None:
@@ -28,6 +27,7 @@ class Remembering:
 
         Examples
         --------
+        >>> from divbandit.bandits.memories.base import Remembering
         >>> memory = Remembering()
         >>> memory.begin(2, 6.0)
         >>> memory.largest
@@ -37,14 +37,6 @@ class Remembering:
         self._unbounded = largest <= 0.0
         self._parts = parts
 
-    def widen(self, credit: float) -> None:
-        """Take note of an unbounded credit's size.
-
-        Examples
-        --------
-        >>> memory = Remembering()
-        >>> memory.widen(2.0)
-        >>> memory.largest
-        2.0
-        """
+    def _widen(self, credit: float) -> None:
+        """Take note of an unbounded credit's size."""
         self.largest = max(self.largest, abs(credit))

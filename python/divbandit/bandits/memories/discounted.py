@@ -67,7 +67,7 @@ class Discounted(Remembering):
         self.means[part] += (credit - self.means[part]) / count
         counts[part] = count
         if self._unbounded:
-            self.widen(credit)
+            self._widen(credit)
 
     def __repr__(self) -> str:
         return f"Discounted({self.gamma!r})"

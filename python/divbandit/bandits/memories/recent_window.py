@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
-from math import fsum
+from typing import Any
 
 from divbandit._checks import whole
+from divbandit._core import ExactSum
 from divbandit.bandits.memories.base import LONGEST, Remembering
 
 
@@ -53,6 +54,7 @@ class RecentWindow(Remembering):
         self.size = whole("size", size, low=1, high=LONGEST)
         self._owners: deque[int] = deque()
         self._credits: list[deque[float]] = []
+        self._sums: list[ExactSum] = []
         self._means: list[float] = []
         self._stale: set[int] = set()
 
@@ -61,6 +63,7 @@ class RecentWindow(Remembering):
         super().begin(parts, largest)
         self._owners = deque()
         self._credits = [deque() for _ in range(parts)]
+        self._sums = [ExactSum([]) for _ in range(parts)]
         self._means = [0.0] * parts
         self._stale = set()
 
@@ -68,20 +71,21 @@ class RecentWindow(Remembering):
         """Add the newest credit; the oldest of all leaves a full window."""
         if len(self._owners) == self.size:
             oldest = self._owners.popleft()
-            self._credits[oldest].popleft()
+            self._sums[oldest].subtract(self._credits[oldest].popleft())
             self._stale.add(oldest)
         self._owners.append(part)
         self._credits[part].append(credit)
+        self._sums[part].add(credit)
         self._stale.add(part)
         if self._unbounded:
-            self.widen(credit)
+            self._widen(credit)
 
     @property
     def means(self) -> list[float]:
         """The mean credit of each strategy."""
         for part in self._stale:
-            own = self._credits[part]
-            self._means[part] = fsum(own) / len(own) if own else 0.0
+            count = len(self._credits[part])
+            self._means[part] = self._sums[part].value() / count if count else 0.0
         self._stale.clear()
         return self._means
 
@@ -89,6 +93,14 @@ class RecentWindow(Remembering):
     def counts(self) -> list[int]:
         """How many credits each mean is of."""
         return [len(own) for own in self._credits]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leave out the sums: they are made anew from the credits."""
+        return {**self.__dict__, "_sums": []}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._sums = [ExactSum(own) for own in self._credits]
 
     def __repr__(self) -> str:
         return f"RecentWindow({self.size!r})"

@@ -57,7 +57,7 @@ class WholePast(Remembering):
         self.counts[part] += 1
         self.means[part] = (total + lost) / self.counts[part]
         if self._unbounded:
-            self.widen(credit)
+            self._widen(credit)
 
     def __repr__(self) -> str:
         return "WholePast()"

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
-from math import fsum
+from typing import Any
 
 from divbandit._checks import whole
+from divbandit._core import ExactSum
 from divbandit.bandits.memories.base import LONGEST, Remembering
 
 
@@ -57,6 +58,7 @@ class Window(Remembering):
         self.size = whole("size", size, low=1, high=LONGEST)
         self.head_start = whole("head_start", head_start, low=0, high=self.size)
         self._windows: list[deque[float]] = []
+        self._sums: list[ExactSum] = []
         self._means: list[float] = []
         self._stale: set[int] = set()  # whose means are not those of their windows
 
@@ -65,24 +67,29 @@ class Window(Remembering):
         super().begin(parts, largest)
         first = [largest] * self.head_start
         self._windows = [deque(first, maxlen=self.size) for _ in range(parts)]
+        self._sums = [ExactSum(first) for _ in range(parts)]
         self._means = [0.0] * parts
         self._stale = set(range(parts))
 
     def add(self, part: int, credit: float) -> None:
         """Add a strategy's newest credit; the oldest leaves a full window."""
-        self._windows[part].append(credit)
+        window = self._windows[part]
+        if len(window) == self.size:
+            self._sums[part].slide(credit, window[0])
+        else:
+            self._sums[part].add(credit)
+        window.append(credit)
         self._stale.add(part)
         if self._unbounded:
-            self.widen(credit)
+            self._widen(credit)
 
     @property
     def means(self) -> list[float]:
         """The mean credit of each strategy."""
         if self._stale:
-            means = self._means
             for part in self._stale:
-                window = self._windows[part]
-                means[part] = fsum(window) / len(window) if window else 0.0
+                count = len(self._windows[part])
+                self._means[part] = self._sums[part].value() / count if count else 0.0
             self._stale.clear()
         return self._means
 
@@ -90,6 +97,14 @@ class Window(Remembering):
     def counts(self) -> list[int]:
         """How many credits each mean is of."""
         return [len(window) for window in self._windows]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leave out the sums: they are made anew from the windows."""
+        return {**self.__dict__, "_sums": []}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._sums = [ExactSum(window) for window in self._windows]
 
     def __repr__(self) -> str:
         return f"Window({self.size!r}, head_start={self.head_start!r})"

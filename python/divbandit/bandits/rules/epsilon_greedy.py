@@ -60,7 +60,7 @@ class EpsilonGreedy:
         probability = self.epsilon / len(means)
         if index in ties:
             probability += (1.0 - self.epsilon) / len(ties)
-        return index, probability
+        return index, min(1.0, probability)
 
     def __repr__(self) -> str:
         return f"EpsilonGreedy({self.epsilon!r})"

@@ -41,6 +41,7 @@ class Exp3:
 
     Examples
     --------
+    >>> from divbandit.bandits import Exp3
     >>> rule = Exp3(0.5)
     >>> rule.begin(2, 6.0)
     >>> rule.probabilities()
@@ -70,6 +71,7 @@ class Exp3:
 
         Examples
         --------
+        >>> from divbandit.bandits import Exp3
         >>> rule = Exp3(0.5)
         >>> rule.begin(4, 1.0)
         >>> rule.probabilities()
@@ -86,13 +88,14 @@ class Exp3:
         del memory
         probabilities = self.probabilities()
         index = proportionally(probabilities, rng.random())
-        return index, probabilities[index]
+        return index, min(1.0, probabilities[index])
 
     def learn(self, part: int, credit: float, probability: float | None) -> None:
         """Let the weight of a strategy grow by what it earned, for how seldom it was chosen.
 
         Examples
         --------
+        >>> from divbandit.bandits import Exp3
         >>> rule = Exp3(1.0)
         >>> rule.begin(2, 1.0)
         >>> rule.learn(0, 1.0, None)

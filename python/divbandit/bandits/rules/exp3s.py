@@ -46,11 +46,12 @@ class Exp3S:
 
     Examples
     --------
+    >>> from divbandit.bandits import Exp3S
     >>> rule = Exp3S(0.5, 0.01)
     >>> rule.begin(2, 6.0)
     >>> rule.learn(1, 3.0, 0.5)
     >>> [round(p, 6) for p in rule.probabilities()]
-    [0.469636, 0.530364]
+    [0.469635, 0.530365]
     """
 
     def __init__(self, gamma: float = 0.1, alpha: float = 0.001) -> None:
@@ -72,6 +73,7 @@ class Exp3S:
 
         Examples
         --------
+        >>> from divbandit.bandits import Exp3S
         >>> rule = Exp3S(0.5, 0.01)
         >>> rule.begin(4, 1.0)
         >>> rule.probabilities()
@@ -86,13 +88,14 @@ class Exp3S:
         del memory
         probabilities = self.probabilities()
         index = proportionally(probabilities, rng.random())
-        return index, probabilities[index]
+        return index, min(1.0, probabilities[index])
 
     def learn(self, part: int, credit: float, probability: float | None) -> None:
         """Let the weight of a strategy grow by what it earned, and all by a share of the sum.
 
         Examples
         --------
+        >>> from divbandit.bandits import Exp3S
         >>> rule = Exp3S(1.0, 0.1)
         >>> rule.begin(2, 1.0)
         >>> rule.learn(0, 1.0, None)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from divbandit import _core
 from divbandit._checks import real
+from divbandit._core import power as power_of
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.random import Generator
 
     from divbandit.bandits.memories.protocol import Memory
@@ -54,20 +56,25 @@ class Proportional:
     def __init__(self, alpha: float = 0.1, *, power: float = 1.0) -> None:
         self.alpha = real("alpha", alpha, low=0.0, high=1.0)
         self.power = real("power", power, low=0.0)
+        # What the last choice was made by; while nothing is told, the next ones are as well.
+        self._means: list[float] = []
+        self._weights: list[float] = []
+        self._total = 0.0
 
     def begin(self, parts: int, largest: float) -> None:
-        """Nothing needs to be prepared."""
+        """Forget the last choice."""
+        del parts, largest
+        self._means = []
 
     def choose(self, memory: Memory, rng: Generator) -> tuple[int, float]:
         """Draw a strategy: two ``rng.random()``."""
-        uniformly = rng.random() < self.alpha
+        alpha = self.alpha
+        uniformly = rng.random() < alpha
         u = rng.random()
-        weights = [mean if mean > 0.0 else 0.0 for mean in memory.means]
-        if self.power != 1.0:
-            weights = self._powers(weights)
-        total = 0.0
-        for weight in weights:
-            total += weight
+        means = memory.means
+        if means != self._means:
+            self._weigh(means)
+        weights, total = self._weights, self._total
         count = len(weights)
         if total <= 0.0:
             return int(u * count), 1.0 / count
@@ -85,15 +92,21 @@ class Proportional:
                 index += 1
             else:
                 index = last  # rounding carried u past the end
-        alpha = self.alpha
-        return index, alpha / count + (1.0 - alpha) * weights[index] / total
+        probability = alpha / count + (1.0 - alpha) * weights[index] / total
+        return index, probability if probability < 1.0 else 1.0  # noqa: FURB136 - a step's time
 
-    def _powers(self, weights: list[float]) -> list[float]:
-        """Return powers of the weights' shares of the largest: none overflows, not all vanish."""
-        top = max(weights)
-        return [
-            _core.power(weight / top, self.power) if weight > 0.0 else 0.0 for weight in weights
-        ]
+    def _weigh(self, means: Sequence[float]) -> None:
+        """Take note of what each strategy weighs."""
+        self._means = [*means]
+        weights = [mean if mean > 0.0 else 0.0 for mean in means]  # noqa: FURB136 - a step's time
+        if self.power != 1.0:
+            # Powers of shares of the largest: none overflows, and not all vanish.
+            top = max(weights)
+            weights = [power_of(w / top, self.power) if w > 0.0 else 0.0 for w in weights]
+        total = 0.0
+        for weight in weights:
+            total += weight
+        self._weights, self._total = weights, total
 
     def __repr__(self) -> str:
         power = "" if self.power == 1.0 else f", power={self.power!r}"

@@ -35,7 +35,7 @@ class Thompson:
     >>> memory.add(1, 3.0)
     >>> rng = np.random.default_rng(0)
     >>> [Thompson().choose(memory, rng) for _ in range(6)]
-    [0, 1, 0, 1, 1, 1]
+    [0, 1, 1, 1, 1, 0]
     """
 
     def begin(self, parts: int, largest: float) -> None:

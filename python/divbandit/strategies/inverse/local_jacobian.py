@@ -22,8 +22,8 @@ class LocalJacobian:
     The model is of the environment around that command: by how much each effect coordinate changes
     with each motor coordinate. It is fitted to commands near it - of the `k` effects nearest to the
     goal, beside the very nearest, the `used` whose commands are nearest to its command - so that
-    alike effects of commands that are nothing alike, of which there are many where motor coordinates
-    outnumber effect coordinates, do not spoil it. Of all linear models that agree with them the
+    alike effects of commands that are nothing alike, of which there are many where there are more
+    motor than effect coordinates, do not spoil it. Of all linear models that agree with them the
     least is taken, in the sense of the sum of squares; directions that no neighbour lies in so
     remain unused.
 

@@ -77,7 +77,7 @@ NOT_COUNTS = {f"one is {name}": [1, value] for name, value in FROM_1.items()}
 NOT_ONE = {"None": None, "a class": db.MotorBabbling, "text": "ab", "a list": [RMB]}
 NOT_BELOW = NUMBERS | {"below zero": -0.1}
 UPTO_1 = SHARE | {"zero": 0.0}
-NOT_PARTS = {"None": None, "7": 7, "a class": db.bandits.Window, "text": "ab", "a strategy": RMB}
+NOT_BANDIT_PARTS = {"None": None, "7": 7, "a class": db.bandits.Window, "text": "ab", "a strategy": RMB}
 NOT_CREDITS = {"7": 7, "a class": db.bandits.Gain, "text": "ab", "a measure": Grid(1.0)}
 
 
@@ -179,8 +179,8 @@ TABLE = [
     ("Adapt", "power", NOT_BELOW, lambda _, x: db.Adapt([RMB], power=x)),
     ("Bandit", "strategies", NOT_STRATEGIES, lambda _, x: bandit(strategies=x)),
     ("Bandit", "credit", NOT_CREDITS, lambda _, x: bandit(credit=x)),
-    ("Bandit", "memory", NOT_PARTS, lambda _, x: bandit(memory=x)),
-    ("Bandit", "rule", NOT_PARTS, lambda _, x: bandit(rule=x)),
+    ("Bandit", "memory", NOT_BANDIT_PARTS, lambda _, x: bandit(memory=x)),
+    ("Bandit", "rule", NOT_BANDIT_PARTS, lambda _, x: bandit(rule=x)),
     ("CoverageGain", "tau", POSITIVE, lambda _, x: db.bandits.CoverageGain(x)),
     ("Gain", "measure", NOT_MEASURES | NONE, lambda _, x: db.bandits.Gain(x)),
     ("FunctionCredit", "function", NOT_CALLABLE, lambda _, x: db.bandits.FunctionCredit(x)),

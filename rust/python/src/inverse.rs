@@ -153,7 +153,7 @@ pub(crate) fn local_regression<'py>(
 /// >>> rng = np.random.default_rng(0)
 /// >>> step = (50, 10, 1e-9, 1.0, 0.0)
 /// >>> local_jacobian([5.0], *step, effects, commands, motor_space, rng).round(6)
-/// array([0.624999])
+/// array([0.625])
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "options by keyword are Python's, not the kernel's")]
 pub(crate) fn local_jacobian<'py>(

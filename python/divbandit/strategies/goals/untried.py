@@ -110,7 +110,7 @@ class UntriedGoals(BoxedGoals):
         >>> history.append([0.5], [0.0])
         >>> history.append([0.6], [1.0])
         >>> goals, rng = db.UntriedGoals(0.1, reach=1.0), np.random.default_rng(0)
-        >>> sorted(float(goals.sample(history, rng)[0]) for _ in range(4))
+        >>> sorted(round(float(goals.sample(history, rng)[0]), 6) for _ in range(4))
         [0.1, 0.1, 0.9, 0.9]
         """
         box = self.box_for(history)

@@ -16,11 +16,13 @@ GOALS = {
     "uncovered goals": lambda: db.UncoveredGoals(0.1),
     "frontier goals": lambda: db.FrontierGoals(0.1),
     "novel goals": lambda: db.NovelGoals(3),
+    "untried goals": lambda: db.UntriedGoals(0.1),
 }
 INVERSES = {
     "nearest neighbour": lambda: db.NearestNeighbor(0.05),
     "k nearest": lambda: db.KNearest(3, 0.05),
     "local regression": lambda: db.LocalRegression(8, 0.05),
+    "local Jacobian": db.LocalJacobian,
 }
 
 
@@ -107,7 +109,7 @@ def adapted():
 
 def compositions():
     """Return fresh strategies for an environment with a plane of effects."""
-    return plain() | bandits()
+    return plain() | bandits() | defaults()
 
 
 def bandits():
@@ -147,6 +149,20 @@ def bandits():
             parts, credit=b.CoverageGain(0.1), memory=b.Window(7), rule=b.Proportional(power=2)
         ),
         "adapt, to a power": db.Adapt(parts, tau=0.1, window=7, power=1.5),
+    }
+
+
+def defaults():
+    """Return the library's own composition, alone and within others."""
+    wide = db.Box([-2, -3], [2, 3])
+    return {
+        "the default": db.default_strategy(0.1),
+        "the default, own goals, in a mixture": db.Mixture(
+            [db.default_strategy(0.05, goals=wide), db.MotorBabbling()]
+        ),
+        "the default's strategies twice": db.Adapt(
+            [*db.default_strategies(0.1), *db.default_strategies(0.02)], tau=0.1
+        ),
     }
 
 

@@ -81,7 +81,7 @@ class UntriedGoals(BoxedGoals):
         self.tries = whole("tries", tries, low=1, high=MOST_DRAWS)
         self.reach = real("reach", reach, low=1.0)
         self._history: History | None = None
-        self._counts = np.zeros(0, dtype=np.uint32)
+        self._counts: NDArray[np.uint32] | None = None
 
     def sample(self, history: History, rng: Generator) -> NDArray[np.float64]:
         """Draw a goal: one ``rng.random()`` a coordinate, for each of the points drawn.
@@ -117,13 +117,13 @@ class UntriedGoals(BoxedGoals):
         n = len(history)
         if n == 0:
             return box.sample(rng)
-        if history is not self._history:
-            self._history = history
-            self._counts = np.zeros(0, dtype=np.uint32)
-        if n > len(self._counts):
+        known = self._counts if history is self._history else None
+        if known is None or n > len(known):
             counts = np.zeros(max(64, 2 * n), dtype=np.uint32)
-            counts[: len(self._counts)] = self._counts
-            self._counts = counts
+            if known is not None:
+                counts[: len(known)] = known
+            self._history, self._counts = history, counts
+            known = counts
         return _core.untried_goal(
             box.bounds,
             self.tau,
@@ -131,7 +131,7 @@ class UntriedGoals(BoxedGoals):
             self.tries,
             self.reach,
             history.tree,
-            self._counts,
+            known,
             rng,
         )
 

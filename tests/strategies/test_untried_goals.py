@@ -1,0 +1,111 @@
+"""UntriedGoals draws what a few plain lines draw from the same stream, and counts as they do."""
+
+import copy
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import divbandit as db
+from tests.generators import state
+from tests.reference.nearest import nearest
+from tests.strategies.known import SEEDS, histories
+
+TAUS = st.sampled_from([1e-9, 0.05, 0.3, 10.0])
+
+
+def plainly(history, counts, rng, tau, candidates, tries, reach):
+    """Return the goal, and count it."""
+    box, best, least = history.sensory_space, None, None
+    for _ in range(candidates):
+        for _ in range(tries):
+            goal = box.sample(rng)
+            distances, indices = nearest(history.effects, goal, 1)
+            distance, index = float(distances[0]), int(indices[0])
+            if distance > tau:
+                break
+        if best is None or counts[index] < counts[least]:
+            best, least = goal, index
+            if distance > reach * tau:
+                effect = history.effects[index]
+                best = effect + (goal - effect) * (reach * tau / distance)
+                best = np.clip(best, box.low, box.high)
+            if counts[index] == 0:
+                break
+    counts[least] += 1
+    return best
+
+
+@given(
+    histories(),
+    TAUS,
+    st.integers(1, 8),
+    st.integers(1, 8),
+    st.sampled_from([1.0, 1.5, 4.0]),
+    SEEDS,
+)
+@settings(max_examples=100, deadline=None, derandomize=True)
+def test_goals_are_those_of_a_plain_search(history, tau, candidates, tries, reach, seed):
+    rng, plain = np.random.default_rng(seed), np.random.default_rng(seed)
+    goals = db.UntriedGoals(tau, candidates=candidates, tries=tries, reach=reach)
+    counts = [0] * 200
+    for _ in range(8):
+        goal = goals.sample(history, rng)
+        expected = plainly(history, counts, plain, tau, candidates, tries, reach)
+        assert goal.tolist() == expected.tolist()
+        assert state(rng) == state(plain)
+        assert history.sensory_space.contains(goal)
+        for _ in range(9):  # more effects than there was room to count for
+            history.append(history.motor_space.sample(rng), goal)
+        plain.bit_generator.state = rng.bit_generator.state
+
+
+def line():
+    history = db.History(db.Box([0], [1]), db.Box([0], [1]))
+    for effect in (0.0, 1.0):
+        history.append([0.5], [effect])
+    return history
+
+
+def test_effects_take_turns():
+    goals, rng, history = db.UntriedGoals(0.1, reach=1.0), np.random.default_rng(0), line()
+    drawn = [round(float(goals.sample(history, rng)[0]), 12) for _ in range(20)]
+    assert all(set(drawn[i : i + 2]) == {0.1, 0.9} for i in range(0, 20, 2))
+
+
+def test_what_was_counted_belongs_to_one_history():
+    goals, history, other = db.UntriedGoals(0.1), line(), line()
+    first = [goals.sample(history, np.random.default_rng(3)).tolist() for _ in range(4)]
+    again = [goals.sample(other, np.random.default_rng(3)).tolist() for _ in range(4)]
+    assert first == again
+    assert len({tuple(goal) for goal in first}) > 1  # the counts tell
+
+
+def test_a_copy_made_with_its_history_goes_on_alike():
+    goals, rng, history = db.UntriedGoals(0.1), np.random.default_rng(0), line()
+    goals.sample(history, rng)
+    other, past, stream = copy.deepcopy((goals, history, rng))
+    expected = [goals.sample(history, rng).tolist() for _ in range(9)]
+    assert [other.sample(past, stream).tolist() for _ in range(9)] == expected
+
+
+def test_with_nothing_observed_goals_are_uniform():
+    history = db.History(db.Box([0], [1]), db.Box([5], [7]))
+    goal = db.UntriedGoals(0.1).sample(history, np.random.default_rng(0))
+    assert goal.tolist() == history.sensory_space.sample(np.random.default_rng(0)).tolist()
+
+
+def test_a_repr_is_the_call_that_makes_it():
+    goals = db.UntriedGoals(0.1, candidates=3, tries=4, reach=2.0, box=db.Box([0], [1]))
+    again = eval(repr(goals), {name: getattr(db, name) for name in db.__all__})  # noqa: S307
+    assert vars(again) == vars(goals)
+
+
+def test_extreme_effects_and_boxes():
+    history, rng = db.History(db.Box([0], [1])), np.random.default_rng(0)
+    for effect in ([1e308, -1e308], [5e-324, 0.0], [-1e160, 1e200]):
+        history.append([0.5], effect)
+    for box in (db.Box([0, 0], [1, 1]), db.Box([-8e307] * 2, [8e307] * 2), db.Box([1, 1], [1, 1])):
+        for tau in (1e-300, 1.0, 1e300):
+            goals = db.UntriedGoals(tau, box=box)
+            assert all(box.contains(goals.sample(history, rng)) for _ in range(5))

@@ -271,7 +271,7 @@ fn a_refusal_draws_and_counts_nothing() {
     );
     assert_eq!(
         message(model.command(&[0.0, f64::NAN], &observed, &mut count)),
-        "query[1] must be finite, got NaN"
+        "goal[1] must be finite, got NaN"
     );
     assert_eq!(
         message(model.command(&goal, &cut, &mut count)),

@@ -328,3 +328,38 @@ def test_the_papers_parts_run_in_rust():
 def test_others_do_not(parts, where):
     with pytest.raises(ValueError, match=f"got strategy.{where}"):
         db.explore(ARM, made(*parts), 5, rng=0, engine="rust")
+
+
+@pytest.mark.parametrize("earned", [[1.0], (1.0,) * 11, None])
+def test_credits_of_many_must_be_as_many(earned):
+    class Few:
+        def largest(self, dim):
+            return float(dim)
+
+        def of(self, trial, effect, history):
+            del trial, effect, history
+            return 1.0
+
+        def of_many(self, trials, effects, history):
+            del trials, effects, history
+            return earned
+
+    b = db.bandits
+    bandit = db.Bandit(
+        [db.MotorBabbling()], credit=Few(), memory=b.WholePast(), rule=b.Proportional()
+    )
+    explorer = db.Explorer(bandit, db.Box([0], [1]), rng=0)
+    trials = explorer.ask(10)
+    with pytest.raises((TypeError, ValueError), match=r"credit\.of_many|NoneType"):
+        explorer.tell(trials, trials.commands)
+    assert explorer.strategy.diversities == (0.0,)
+
+
+def test_a_memory_must_have_a_mean_for_each_strategy():
+    class Short(db.bandits.WholePast):
+        def begin(self, parts, largest):
+            super().begin(parts - 1, largest)
+
+    b = db.bandits
+    with pytest.raises(ValueError, match=r"memory\.means must hold one for each of 2 strategies"):
+        db.Bandit([db.MotorBabbling()] * 2, credit=b.CoverageGain(), memory=Short(), rule=b.UCB())

@@ -219,3 +219,32 @@ def test_one_that_observes_sees_the_history_grow_one_by_one():
     trials = explorer.ask(3)
     explorer.tell(trials, ARM(trials.commands))
     assert explorer.strategy.strategies[0].lengths == [(1, 0), (2, 1), (3, 2)]
+
+
+BAD_PROPOSALS = {
+    "one too few": lambda history, n, rng: [history.motor_space.sample(rng)] * (n - 1),
+    "one too many": lambda history, n, rng: [history.motor_space.sample(rng)] * (n + 1),
+    "nothing": lambda *_: None,
+}
+
+
+@pytest.mark.parametrize("bad", BAD_PROPOSALS.values(), ids=BAD_PROPOSALS)
+@pytest.mark.parametrize("composed", [False, True])
+def test_a_bad_batch_of_a_strategy_is_refused_by_name(bad, composed):
+    class Own(db.MotorBabbling):
+        def propose_many(self, history, n, rng):
+            return bad(history, n, rng)
+
+    explorer = new_explorer(db.Mixture([Own()]) if composed else Own())
+    with pytest.raises((TypeError, ValueError), match=r"propose_many\(\) of Own\(\) must return"):
+        explorer.ask(5)
+    assert explorer.open_trials == ()
+
+
+def test_a_batch_of_plain_commands_is_taken():
+    class Plain(db.MotorBabbling):
+        def propose_many(self, history, n, rng):
+            return (history.motor_space.sample(rng).tolist() for _ in range(n))
+
+    expected = new_explorer(db.MotorBabbling()).ask(4).commands.tolist()
+    assert new_explorer(Plain()).ask(4).commands.tolist() == expected

@@ -285,3 +285,69 @@ def test_truncated_and_foreign_files_are_refused(tmp_path):
     for name in ("text", "exploration"):
         with pytest.raises(ValueError, match=r"path must be a file written by Explorer\.save"):
             db.Explorer.load(tmp_path / name)
+
+
+def test_an_interrupted_observation_is_no_obstacle(tmp_path):
+    class Interrupted(db.MotorBabbling):
+        seen = 0
+
+        def observe(self, trial, effect):
+            del trial, effect
+            self.seen += 1
+            if self.seen == 3 and interrupting:
+                raise KeyboardInterrupt
+
+    interrupting = True
+    explorer = new_explorer(db.Mixture([Interrupted()]))
+    for step in range(8):
+        trial = explorer.ask()
+        if step == 2:
+            with pytest.raises(KeyboardInterrupt):
+                explorer.tell(trial, ARM(trial.command))
+        else:
+            explorer.tell(trial, ARM(trial.command))
+    explorer.save(tmp_path / "run")
+    interrupting = False
+    again = db.Explorer.load(tmp_path / "run", db.Mixture([Interrupted()]))
+    assert everything(again) == everything(explorer)
+
+
+def test_an_interrupted_proposal_that_drew_nothing_is_no_obstacle(tmp_path):
+    class Interrupted(db.MotorBabbling):
+        def propose(self, history, rng):
+            if interrupting:
+                raise KeyboardInterrupt
+            return super().propose(history, rng)
+
+    interrupting = False
+    explorer = new_explorer(Interrupted())
+    explorer.tell(explorer.ask(), [0.5, 0.5])
+    interrupting = True
+    for call in (explorer.ask, lambda: explorer.ask(3)):
+        with pytest.raises(KeyboardInterrupt):
+            call()
+    interrupting = False
+    explorer.tell(explorer.ask(), [0.5, 0.25])
+    explorer.save(tmp_path / "run")
+    again = db.Explorer.load(tmp_path / "run", Interrupted())
+    assert everything(again) == everything(explorer)
+
+
+def test_a_built_in_part_that_was_changed_by_hand_is_not_saved(tmp_path):
+    explorer = new_explorer(db.Adapt([db.MotorBabbling(), db.GoalBabbling()]))
+    explorer.strategy.alpha = 0.3  # before the first trial it is as good as an argument
+    live(explorer, np.random.default_rng(0), 10)
+    explorer.save(tmp_path / "run")
+    assert everything(db.Explorer.load(tmp_path / "run")) == everything(explorer)
+    explorer.strategy.alpha = 0.9
+    with pytest.raises(ValueError, match=r"strategy must be what it was, Adapt.*alpha=0\.3"):
+        explorer.save(tmp_path / "run")
+
+
+def test_a_grid_of_goals_begins_anew_with_each_history(tmp_path):
+    used = new_explorer(db.GoalBabbling(goals=db.GridGoals(3)))
+    live(used, np.random.default_rng(0), 10)
+    explorer = new_explorer(used.strategy)
+    live(explorer, np.random.default_rng(1), 20)
+    explorer.save(tmp_path / "run")
+    assert everything(db.Explorer.load(tmp_path / "run")) == everything(explorer)

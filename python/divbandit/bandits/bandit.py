@@ -121,6 +121,13 @@ class Bandit(Composite):
             largest, dim = _largest(credit, None), None
         memory, rule = copy.deepcopy(self.memory), copy.deepcopy(self.rule)
         memory.begin(len(self.strategies), largest)
+        for name in ("means", "counts"):
+            found = len(getattr(memory, name))
+            if found != len(self.strategies):
+                raise ValueError(
+                    f"memory.{name} must hold one for each of {len(self.strategies)} strategies, "
+                    f"got {found}"
+                )
         rule.begin(len(self.strategies), largest)
         self._credit, self._memory = credit, memory
         self._rule: Any = rule
@@ -213,7 +220,11 @@ class Bandit(Composite):
         last = self._last_of(trials)
         if self._dim is None:
             self._learn_dimension()
-        earned = self._credit.of_many(trials, effects, self._history)
+        earned = list(self._credit.of_many(trials, effects, self._history))
+        if len(earned) != len(trials):
+            raise ValueError(
+                f"credit.of_many() must return {len(trials)} credits, got {len(earned)}"
+            )
         for row, credit in enumerate(earned):
             if type(credit) is not float or not -_MOST <= credit <= _MOST:
                 earned[row] = _credited(credit)

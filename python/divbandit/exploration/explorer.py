@@ -17,6 +17,7 @@ from divbandit.exploration.trials import Trials
 from divbandit.history import History
 from divbandit.measures.points import many
 from divbandit.strategies.base import Strategy, Trial
+from divbandit.strategies.composite import proposals_of
 
 if TYPE_CHECKING:
     import os
@@ -91,6 +92,8 @@ class Explorer:
         self._strategy = copy.deepcopy(strategy)
         self.rng = generator(rng)
         self._journal = Journal(self.rng)
+        # What the strategy was when it was first asked.
+        self._began_as: str | None = None
         self._bounds = space.bounds
         self._asked = 0
         self._open: dict[int, Open] = {}
@@ -146,6 +149,8 @@ class Explorer:
         >>> explorer.ask(3).commands.shape
         (3, 2)
         """
+        if self._began_as is None:
+            self._began_as = repr(self._strategy)
         if n is not None:
             return self._ask_many(whole("n", n, low=1))
         if len(self.history) != self._known:
@@ -154,8 +159,8 @@ class Explorer:
             proposed = Trial.of(self._strategy.propose(self.history, self.rng))
             command = self._checked(proposed)
             (trial,) = self._give_out([proposed], [command], self._strategy.diversities)
-        except BaseException:
-            self._journal.note(Event.ASK, 0, raised=True)
+        except BaseException as error:
+            self._journal.note(Event.ASK, 0, raised=error)
             raise
         self._journal.note(Event.ASK, 0)
         return trial
@@ -164,17 +169,15 @@ class Explorer:
         if len(self.history) != self._known:
             self._note_what_others_wrote()
         try:
-            proposed = self._strategy.propose_many(self.history, n, self.rng)
-            if len(proposed) != n:
-                raise ValueError(f"propose_many() must return {n} trials, got {len(proposed)}")  # noqa: TRY301
+            proposed = proposals_of(self._strategy, self.history, n, self.rng)
             beliefs = self._strategy.diversities
             commands = self._bounds.gather([trial.command for trial in proposed])
             if commands is None:  # one by one: lists, other types, and what is wrong with one
                 commands = np.array([self._checked(trial) for trial in proposed])
                 commands.flags.writeable = False
             trials = self._give_out(proposed, list(commands), beliefs)
-        except BaseException:
-            self._journal.note(Event.ASK_MANY, n, raised=True)
+        except BaseException as error:
+            self._journal.note(Event.ASK_MANY, n, raised=error)
             raise
         self._journal.note(Event.ASK_MANY, n)
         return Trials(trials, commands)
@@ -260,8 +263,8 @@ class Explorer:
         trial.place = proposed.place = place
         try:
             self._strategy.observe(proposed, point)
-        except BaseException:
-            self._journal.note(Event.TELL, number, raised=True)
+        except BaseException as error:
+            self._journal.note(Event.TELL, number, raised=error)
             raise
         self._journal.note(Event.TELL, number)
 
@@ -325,8 +328,8 @@ class Explorer:
         self._known = place + len(found)
         try:
             self._strategy.observe_many(proposals, points)
-        except BaseException:
-            self._journal.note_many(Event.TELL_MANY, found, raised=True)
+        except BaseException as error:
+            self._journal.note_many(Event.TELL_MANY, found, raised=error)
             raise
         self._journal.note_many(Event.TELL_MANY, found)
 
@@ -371,8 +374,8 @@ class Explorer:
         del self._open[number]
         try:
             self._strategy.fail(proposed, reason)
-        except BaseException:
-            self._journal.note(Event.FAIL, number, raised=True)
+        except BaseException as error:
+            self._journal.note(Event.FAIL, number, raised=error)
             raise
         self._journal.note(Event.FAIL, number)
 
@@ -395,7 +398,8 @@ class Explorer:
         Raises
         ------
         ValueError
-            If the generator is none of NumPy's own, whose state can be written.
+            If the generator is none of NumPy's own, whose state can be written; or an argument of
+            a built-in part was changed by hand since the first trial.
         OSError
             If the file cannot be written.
 
@@ -416,7 +420,9 @@ class Explorer:
         if len(self.history) != self._known:
             self._note_what_others_wrote()
         commands = {number: command for number, (_, command, _, _) in self._open.items()}
-        saved.write(path, self._strategy, self.history, self._journal, commands, self.rng)
+        saved.write(
+            path, self._strategy, self._began_as, self.history, self._journal, commands, self.rng
+        )
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], strategy: Strategy | None = None) -> Explorer:
@@ -432,7 +438,8 @@ class Explorer:
         path : str or path
         strategy : Strategy, optional
             One like that which the explorer was made with. It must be given where that has parts
-            of one's own; those built in are in the file.
+            of one's own, or had been used before; those built in are in the file as they are when
+            they are new.
 
         Returns
         -------

@@ -28,9 +28,10 @@ class Event:
     WRITTEN = 5  # how many effects came into the history past the explorer
 
 
-#: Added to an event: the strategy raised an exception.
+#: Added to an event: the strategy raised an exception; was interrupted, as by Ctrl-C.
 _RAISED = 8
-_SHIFT = 4
+_INTERRUPTED = 16
+_SHIFT = 5
 
 
 class Journal:
@@ -50,9 +51,9 @@ class Journal:
     >>> import numpy as np
     >>> journal = Journal(np.random.default_rng(0))
     >>> journal.note(Event.ASK, 0)
-    >>> journal.note(Event.TELL, 0, raised=True)
+    >>> journal.note(Event.TELL, 0, raised=ValueError())
     >>> list(events_of(journal.events))
-    [(0, 0, False), (2, 0, True)]
+    [(0, 0, ''), (2, 0, 'raised')]
     """
 
     __slots__ = ("events", "failed", "generator_state")
@@ -64,8 +65,8 @@ class Journal:
         self.events = array("q")
         self.failed: list[int] = []
 
-    def note(self, event: int, number: int, *, raised: bool = False) -> None:
-        """Note that something happened.
+    def note(self, event: int, number: int, *, raised: BaseException | None = None) -> None:
+        """Note that something happened, and what the strategy raised.
 
         Examples
         --------
@@ -75,9 +76,14 @@ class Journal:
         >>> len(journal.events)
         1
         """
-        self.events.append(number << _SHIFT | event | (_RAISED if raised else 0))
+        flag = 0
+        if raised is not None:
+            flag = _RAISED if isinstance(raised, Exception) else _INTERRUPTED
+        self.events.append(number << _SHIFT | event | flag)
 
-    def note_many(self, event: int, numbers: Iterable[int], *, raised: bool = False) -> None:
+    def note_many(
+        self, event: int, numbers: Iterable[int], *, raised: BaseException | None = None
+    ) -> None:
         """Note that something happened to several trials at once.
 
         Examples
@@ -86,23 +92,24 @@ class Journal:
         >>> journal = Journal(np.random.default_rng(0))
         >>> journal.note_many(Event.TELL_MANY, [7, 5])
         >>> list(events_of(journal.events))
-        [(3, 2, False), (2, 7, False), (2, 5, False)]
+        [(3, 2, ''), (2, 7, ''), (2, 5, '')]
         """
         told = [number << _SHIFT | Event.TELL for number in numbers]
         self.note(event, len(told), raised=raised)
         self.events.extend(told)
 
 
-def events_of(events: Iterable[int]) -> Iterator[tuple[int, int, bool]]:
-    """Return each event, its number, and whether the strategy raised an exception.
+def events_of(events: Iterable[int]) -> Iterator[tuple[int, int, str]]:
+    """Return each event, its number, and "raised" or "interrupted" where the strategy was.
 
     Examples
     --------
-    >>> list(events_of([3 << 4 | 1]))
-    [(1, 3, False)]
+    >>> list(events_of([3 << 5 | 1]))
+    [(1, 3, '')]
     """
     for code in events:
-        yield code & (_RAISED - 1), code >> _SHIFT, bool(code & _RAISED)
+        how = "raised" if code & _RAISED else "interrupted" if code & _INTERRUPTED else ""
+        yield code & (_RAISED - 1), code >> _SHIFT, how
 
 
 def kinds_and_numbers(events: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -111,7 +118,7 @@ def kinds_and_numbers(events: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDA
     Examples
     --------
     >>> import numpy as np
-    >>> kinds_and_numbers(np.array([3 << 4 | 1]))
+    >>> kinds_and_numbers(np.array([3 << 5 | 1]))
     (array([1]), array([3]))
     """
     return events & (_RAISED - 1), events >> _SHIFT

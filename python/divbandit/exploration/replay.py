@@ -26,7 +26,7 @@ class Past(NamedTuple):
 
     Attributes
     ----------
-    events : list of (event, number, raised)
+    events : list of (event, number, how)
         As in a `Journal`.
     commands : numpy.ndarray, shape (trials, m)
         Those of the trials that were given out, by number.
@@ -40,7 +40,7 @@ class Past(NamedTuple):
         Why trials failed.
     """
 
-    events: list[tuple[int, int, bool]]
+    events: list[tuple[int, int, str]]
     commands: NDArray[np.float64]
     effects: NDArray[np.float64]
     written: NDArray[np.float64]
@@ -51,9 +51,9 @@ class Past(NamedTuple):
         """Raise a ValueError unless it can have happened, and all that is here belongs to it."""
         asked = known = failed = written = 0
         under_way: set[int] = set()
-        for event, number, raised in self._singly():
+        for event, number, how in self._singly():
             if event in {Event.ASK, Event.ASK_MANY}:
-                count = 0 if raised else number if event == Event.ASK_MANY else 1
+                count = 0 if how else number if event == Event.ASK_MANY else 1
                 under_way.update(range(asked, min(asked + count, len(self.commands))))
                 asked += count
             elif event == Event.WRITTEN:
@@ -66,16 +66,16 @@ class Past(NamedTuple):
         if found != (asked, known, failed) or others != (written, written):
             raise ValueError("events must be as many as there are commands, effects and reasons")
 
-    def _singly(self) -> Iterator[tuple[int, int, bool]]:
+    def _singly(self) -> Iterator[tuple[int, int, str]]:
         """Return the events, and check that trials told at once follow one another."""
         missing = 0
-        for event, number, raised in self.events:
+        for event, number, how in self.events:
             if number < 0 or event > Event.WRITTEN:
                 raise ValueError(f"events must be known ones, got {event} of {number}")
             if missing and event != Event.TELL:
                 raise ValueError("events must have trials that were told at once together")
             missing = number if event == Event.TELL_MANY else max(0, missing - 1)
-            yield event, number, raised
+            yield event, number, how
         if missing:
             raise ValueError("events must have all trials that were told at once")
 
@@ -94,7 +94,7 @@ def replay(explorer: Explorer, past: Past) -> None:
     >>> import divbandit as db
     >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0], [1]), rng=0)
     >>> empty = np.empty((0, 1))
-    >>> events = [(Event.ASK, 0, False)]
+    >>> events = [(Event.ASK, 0, "")]
     >>> replay(explorer, Past(events, np.array([[0.5]]), empty, empty, [], []))
     Traceback (most recent call last):
         ...
@@ -123,7 +123,9 @@ class _Replay:
             Event.FAIL: self._fail,
             Event.WRITTEN: self._write,
         }
-        for event, number, raised in self._events:
+        for event, number, how in self._events:
+            if how == "interrupted" and event in {Event.ASK, Event.ASK_MANY}:
+                continue  # nothing was given out; if anything was drawn, the next command tells
             caught: Exception | None = None
             try:
                 deeds[event](number)
@@ -131,8 +133,8 @@ class _Replay:
                 raise
             except Exception as error:  # noqa: BLE001 - a strategy may raise anything
                 caught = error
-            if raised != (caught is not None):
-                what = "does not raise an exception again" if raised else f"raises {caught!r}"
+            if how != "interrupted" and bool(how) != (caught is not None):
+                what = "does not raise an exception again" if how else f"raises {caught!r}"
                 raise OtherwiseError(f"it {what}, after {self._asked} trials") from caught
 
     def _ask(self, _: int) -> None:

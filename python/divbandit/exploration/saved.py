@@ -59,12 +59,16 @@ class _Saved(NamedTuple):
 def write(
     path: str | os.PathLike[str],
     strategy: Strategy,
+    began_as: str | None,
     history: History,
     journal: Journal,
     under_way: Mapping[int, NDArray[np.float64]],
     rng: Generator,
 ) -> None:
-    """Write what happened to an explorer; `under_way` are the commands of its open trials."""
+    """Write what happened to an explorer, whose strategy had the repr `began_as`.
+
+    `under_way` are the commands of its open trials.
+    """
     kind = type(rng.bit_generator)
     if type(rng) is not np.random.Generator or kind not in _BIT_GENERATORS.values():
         raise ValueError(
@@ -73,6 +77,8 @@ def write(
     recipe = None
     with suppress(NoRecipeError):
         recipe = recipe_of(strategy)
+        if began_as not in {None, repr(strategy)}:
+            raise ValueError(f"strategy must be what it was, {began_as}, got {strategy!r}")
     events = np.array(journal.events, dtype=np.int64)
     told, written, numbers = _rows(events)
     commands = np.empty(

@@ -185,7 +185,8 @@ class Strategy(ABC):
     def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
         """Return `n` trials, all of them proposed before any of their effects is known.
 
-        By default what `n` calls of `propose` return. A strategy may have a faster way.
+        By default what `n` calls of `propose` return. A strategy may have a faster way; each of
+        the trials must be one of its own.
 
         Parameters
         ----------

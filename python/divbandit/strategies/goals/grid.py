@@ -63,6 +63,7 @@ class GridGoals(BoxedGoals):
         # The cells still to come in this round; the shape of the grid that they are of.
         self._left: list[int] = []
         self._shape: tuple[int, ...] | None = None
+        self._history: History | None = None
         self.check(None, has_goals=True)
 
     def check(self, effect_dim: int | None, *, has_goals: bool) -> None:
@@ -116,8 +117,8 @@ class GridGoals(BoxedGoals):
         """
         box = self.box_for(history)
         shape = self._grid(box.dim)
-        if not self._left or shape != self._shape:
-            self._shape = shape
+        if not self._left or shape != self._shape or history is not self._history:
+            self._shape, self._history = shape, history
             self._left = list(range(_product(shape)))
         left = self._left
         place = int(rng.random() * len(left))

@@ -159,8 +159,13 @@ impl PlanarArm {
         Ok(points)
     }
 
+    /// Which instructions it takes.
+    pub(crate) fn dispatch(&self) -> Dispatch {
+        self.dispatch
+    }
+
     /// Checks every angle against the limit; a NaN fails it as well.
-    fn check(&self, name: &'static str, angles: &[f64]) -> Result<(), Error> {
+    pub(crate) fn check(&self, name: &'static str, angles: &[f64]) -> Result<(), Error> {
         // One pass without an early exit is vector code; the exact culprit is looked for
         // only when there is one.
         let within = angles.iter().fold(true, |all, angle| all & (angle.abs() <= self.limit));
@@ -187,7 +192,7 @@ impl Environment for PlanarArm {
         2
     }
 
-    fn effect_into(&self, command: &[f64], effect: &mut [f64]) -> Result<(), Error> {
+    fn effect_into(&mut self, command: &[f64], effect: &mut [f64]) -> Result<(), Error> {
         effect.copy_from_slice(&self.effect(command)?);
         Ok(())
     }

@@ -16,5 +16,5 @@ pub trait Environment: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// If the command is none that this environment takes.
-    fn effect_into(&self, command: &[f64], effect: &mut [f64]) -> Result<(), Error>;
+    fn effect_into(&mut self, command: &[f64], effect: &mut [f64]) -> Result<(), Error>;
 }

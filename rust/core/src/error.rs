@@ -43,6 +43,15 @@ pub enum Error {
         /// The length that it had.
         got: usize,
     },
+    /// Something that is no number, and not what it must be.
+    Unfit {
+        /// The argument's name.
+        name: String,
+        /// What it must be, after "must be".
+        must_be: &'static str,
+        /// What it was.
+        got: String,
+    },
     /// Something was asked of an empty collection.
     Empty {
         /// What was empty.
@@ -63,6 +72,7 @@ impl fmt::Display for Error {
             Error::Length { name, must_be, got } => {
                 write!(f, "{name} must have length {must_be}, got {got}")
             }
+            Error::Unfit { name, must_be, got } => write!(f, "{name} must be {must_be}, got {got}"),
             Error::Empty { name } => write!(f, "{name} must not be empty"),
         }
     }

@@ -3,7 +3,8 @@
 //! They follow the way data flows through an exploration (Benureau and Oudeyer,
 //! ICDL-EpiRob 2015):
 //!
-//! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect;
+//! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect; so does an [`ObstructedArm`]
+//!    among obstacles;
 //! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
 //! 3. [`goals`] draw the goal by what is known, [`inverse()`](inverse()) and other inverse models
 //!    turn it into the next motor command, inside its [`Bounds`];
@@ -33,6 +34,7 @@
 pub mod arm;
 pub mod bandits;
 pub mod bounds;
+pub mod contact;
 pub mod coverage;
 pub mod elementary;
 pub mod environment;
@@ -43,11 +45,13 @@ pub mod history;
 pub mod instructions;
 pub mod inverse;
 pub mod kdtree;
+pub mod obstructed_arm;
 pub mod strategies;
 pub mod trig;
 
 pub use arm::PlanarArm;
 pub use bounds::{Bounds, UniformStream};
+pub use contact::Obstacle;
 pub use coverage::Coverage;
 pub use environment::Environment;
 pub use error::Error;
@@ -56,3 +60,4 @@ pub use history::History;
 pub use instructions::Instructions;
 pub use inverse::inverse;
 pub use kdtree::NearestNeighbors;
+pub use obstructed_arm::ObstructedArm;

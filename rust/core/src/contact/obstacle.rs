@@ -1,0 +1,191 @@
+//! Obstacle: what a link cannot pass, given as the capsules that make its outline.
+
+use parry2d_f64::math::Vector;
+use parry2d_f64::query::PointQuery;
+use parry2d_f64::shape::{Capsule, Segment};
+
+use crate::error::{Error, check_finite};
+
+/// The farthest a coordinate, and the largest a radius, may be: squares keep their digits, and no arm gets there.
+const LARGEST: f64 = 1e6;
+
+/// The longest outline: each edge is compared with all others once.
+const MOST_POINTS: usize = 10_000;
+
+/// A disc, a polygon or a wall.
+///
+/// ```
+/// use divbandit_core::Obstacle;
+///
+/// assert!(Obstacle::disc([0.5, 0.5], 0.1).is_ok());
+/// let bow_tie = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+/// assert!(Obstacle::polygon(&bow_tie).is_err());
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Obstacle(Shape);
+
+#[derive(Debug, Clone, PartialEq)]
+enum Shape {
+    Disc { center: Vector, radius: f64 },
+    Polygon(Vec<Vector>),
+    Wall { start: Vector, end: Vector, thickness: f64 },
+}
+
+impl Obstacle {
+    /// A disc, in metres.
+    ///
+    /// # Errors
+    /// If a number is not finite or beyond 1e6, or `radius` is not positive.
+    pub fn disc(center: [f64; 2], radius: f64) -> Result<Self, Error> {
+        let center = point("center", center)?;
+        if !(radius > 0.0 && radius <= LARGEST) {
+            let must_be = "positive and at most 1e6";
+            return Err(Error::Number { name: "radius", must_be, got: radius });
+        }
+        Ok(Self(Shape::Disc { center, radius }))
+    }
+
+    /// A rectangle along the axes, from its lower left to its upper right corner.
+    ///
+    /// # Errors
+    /// If a number is not finite or beyond 1e6, or `low` is not below `high`.
+    pub fn rectangle(low: [f64; 2], high: [f64; 2]) -> Result<Self, Error> {
+        let (a, b) = (point("low", low)?, point("high", high)?);
+        for (axis, (&from, &to)) in low.iter().zip(&high).enumerate() {
+            if from >= to {
+                let must_be = format!("greater than low[{axis}] = {from:?}");
+                return Err(Error::Element {
+                    name: "high",
+                    at: format!("[{axis}]"),
+                    must_be,
+                    got: to,
+                });
+            }
+        }
+        let corners = vec![a, Vector::new(b.x, a.y), b, Vector::new(a.x, b.y)];
+        Ok(Self(Shape::Polygon(corners)))
+    }
+
+    /// A polygon, convex or not, by its corners in order.
+    ///
+    /// # Errors
+    /// If there are not 3 to 10,000 corners, a number is not finite or beyond 1e6, or the outline touches itself.
+    pub fn polygon(points: &[[f64; 2]]) -> Result<Self, Error> {
+        if !(3..=MOST_POINTS).contains(&points.len()) {
+            let must_be = format!("from 3 to {MOST_POINTS} corners");
+            return Err(Error::Count { name: "points", must_be, got: points.len() });
+        }
+        let numbers = points.as_flattened();
+        check_finite("points", numbers, 2 + usize::from(numbers.len() == 2))?;
+        if let Some(index) = numbers.iter().position(|number| number.abs() > LARGEST) {
+            return Err(Error::Element {
+                name: "points",
+                at: format!("[{}, {}]", index / 2, index % 2),
+                must_be: "at most 1e6 from 0".to_owned(),
+                got: numbers[index],
+            });
+        }
+        let corners: Vec<Vector> = points.iter().copied().map(Vector::from).collect();
+        check_simple(&corners)?;
+        Ok(Self(Shape::Polygon(corners)))
+    }
+
+    /// A straight wall with rounded ends; without thickness it is a line.
+    ///
+    /// # Errors
+    /// If a number is not finite or beyond 1e6, `thickness` is negative, or the ends are the same.
+    pub fn wall(start: [f64; 2], end: [f64; 2], thickness: f64) -> Result<Self, Error> {
+        let (a, b) = (point("start", start)?, point("end", end)?);
+        if !(0.0..=LARGEST).contains(&thickness) {
+            let must_be = "from 0 to 1e6";
+            return Err(Error::Number { name: "thickness", must_be, got: thickness });
+        }
+        if a == b {
+            let (must_be, got) = ("another point than start", format!("{end:?} twice"));
+            return Err(Error::Unfit { name: "end".to_owned(), must_be, got });
+        }
+        Ok(Self(Shape::Wall { start: a, end: b, thickness }))
+    }
+
+    /// The capsules that nothing outside can pass without touching one of them.
+    pub(crate) fn pieces(&self) -> Vec<Capsule> {
+        match &self.0 {
+            &Shape::Disc { center, radius } => vec![Capsule::new(center, center, radius)],
+            Shape::Polygon(corners) => {
+                edges(corners).map(|edge| Capsule::new(edge.a, edge.b, 0.0)).collect()
+            }
+            &Shape::Wall { start, end, thickness } => {
+                vec![Capsule::new(start, end, 0.5 * thickness)]
+            }
+        }
+    }
+
+    /// Whether a point that is on none of the pieces lies inside.
+    pub(crate) fn surrounds(&self, point: Vector) -> bool {
+        let Shape::Polygon(corners) = &self.0 else { return false };
+        // A ray to the right crosses the outline an odd number of times.
+        let crossed = edges(corners).filter(|edge| {
+            let (a, b) = (edge.a - point, edge.b - point);
+            (a.y > 0.0) != (b.y > 0.0) && (a.perp_dot(b) > 0.0) == (b.y > a.y)
+        });
+        crossed.count() % 2 == 1
+    }
+}
+
+fn point(name: &'static str, at: [f64; 2]) -> Result<Vector, Error> {
+    check_finite(name, &at, 2)?;
+    match at.iter().position(|number| number.abs() > LARGEST) {
+        None => Ok(Vector::from(at)),
+        Some(index) => Err(Error::Element {
+            name,
+            at: format!("[{index}]"),
+            must_be: "at most 1e6 from 0".to_owned(),
+            got: at[index],
+        }),
+    }
+}
+
+/// The outline's edges; the last leads back to the first corner.
+fn edges(corners: &[Vector]) -> impl Iterator<Item = Segment> {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(&a, &b)| Segment::new(a, b))
+}
+
+/// Refuses an outline that touches itself.
+fn check_simple(corners: &[Vector]) -> Result<(), Error> {
+    let edges: Vec<Segment> = edges(corners).collect();
+    let refuse = |got| {
+        let must_be = "corners of an outline that does not touch itself";
+        Err(Error::Unfit { name: "points".to_owned(), must_be, got })
+    };
+    for (i, edge) in edges.iter().enumerate() {
+        if edge.a == edge.b {
+            return refuse(format!("corner {i} twice"));
+        }
+        let next = &edges[(i + 1) % edges.len()];
+        let (along, onward) = (edge.b - edge.a, next.b - next.a);
+        if along.perp_dot(onward) == 0.0 && along.dot(onward) < 0.0 {
+            return refuse(format!("a spike at corner {}", (i + 1) % edges.len()));
+        }
+        // Neighbours share a corner; of the others, the first and the last are neighbours too.
+        let others = i + 2..edges.len() - usize::from(i == 0);
+        for j in others {
+            if touch(edge, &edges[j]) {
+                return refuse(format!("edges {i} and {j} in touch"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether two segments have a point in common.
+pub(crate) fn touch(one: &Segment, other: &Segment) -> bool {
+    let apart = |line: &Segment, points: &Segment| {
+        let along = line.b - line.a;
+        along.perp_dot(points.a - line.a) * along.perp_dot(points.b - line.a) >= 0.0
+    };
+    let ends = |line: &Segment, points: &Segment| {
+        [points.a, points.b].iter().any(|&end| line.project_local_point(end, true).point == end)
+    };
+    ends(one, other) || ends(other, one) || !(apart(one, other) || apart(other, one))
+}

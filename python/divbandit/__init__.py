@@ -12,7 +12,15 @@ from divbandit import bandits, plot
 from divbandit._core import NearestNeighbors
 from divbandit.bandits import Adapt, Bandit, default_strategies, default_strategy
 from divbandit.box import Box
-from divbandit.environments import Environment, FunctionEnvironment, PlanarArm
+from divbandit.environments import (
+    Disc,
+    Environment,
+    FunctionEnvironment,
+    PlanarArm,
+    Polygon,
+    Rectangle,
+    Wall,
+)
 from divbandit.experiments import Summary, Task, explore_many, summarize
 from divbandit.exploration import Exploration, Explorer, Trials, explore
 from divbandit.history import Failure, History
@@ -54,6 +62,7 @@ __all__ = [
     "Box",
     "Composite",
     "Coverage",
+    "Disc",
     "Entropy",
     "Environment",
     "Exploration",
@@ -78,7 +87,9 @@ __all__ = [
     "NearestNeighbors",
     "NovelGoals",
     "PlanarArm",
+    "Polygon",
     "QuasiRandomBabbling",
+    "Rectangle",
     "Schedule",
     "Sparseness",
     "Strategy",
@@ -89,6 +100,7 @@ __all__ = [
     "UncoveredGoals",
     "UniformGoals",
     "UntriedGoals",
+    "Wall",
     "bandits",
     "coverage",
     "default_strategies",

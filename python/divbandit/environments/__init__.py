@@ -2,6 +2,15 @@
 
 from divbandit.environments.base import Environment
 from divbandit.environments.function import FunctionEnvironment
+from divbandit.environments.obstacles import Disc, Polygon, Rectangle, Wall
 from divbandit.environments.planar_arm import PlanarArm
 
-__all__ = ["Environment", "FunctionEnvironment", "PlanarArm"]
+__all__ = [
+    "Disc",
+    "Environment",
+    "FunctionEnvironment",
+    "PlanarArm",
+    "Polygon",
+    "Rectangle",
+    "Wall",
+]

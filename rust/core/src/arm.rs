@@ -165,7 +165,10 @@ impl PlanarArm {
     }
 
     /// Checks every angle against the limit; a NaN fails it as well.
-    pub(crate) fn check(&self, name: &'static str, angles: &[f64]) -> Result<(), Error> {
+    ///
+    /// # Errors
+    /// Naming the first that is not finite or beyond the limit.
+    pub fn check(&self, name: &'static str, angles: &[f64]) -> Result<(), Error> {
         // One pass without an early exit is vector code; the exact culprit is looked for
         // only when there is one.
         let within = angles.iter().fold(true, |all, angle| all & (angle.abs() <= self.limit));

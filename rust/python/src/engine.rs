@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use divbandit_core::bandits::Adapt;
 use divbandit_core::exploration::Log;
+use divbandit_core::obstructed_arm::Moving;
 use divbandit_core::strategies::{GoalBabbling, Mixture, MotorBabbling, Schedule};
 use divbandit_core::{Bounds, Composition, Environment, Error, Exploration, History};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -15,6 +16,7 @@ use crate::arrays::count;
 use crate::bounds::PyBounds;
 use crate::coverage::PyCoverage;
 use crate::errors::value_error;
+use crate::obstructed_arm::PyObstructedArm;
 use crate::random::{Draws, NumpyStream};
 
 /// How long the engine runs before it lets Python look for Ctrl-C: seldom enough to cost nothing.
@@ -76,6 +78,11 @@ impl PyEngine {
     /// Explore this arm; returns the dimensions of its commands and effects.
     fn planar_arm(&mut self, arm: &Bound<'_, PyPlanarArm>) -> (usize, usize) {
         self.explore_it(arm.get().0.clone())
+    }
+
+    /// Explore this arm among its obstacles; returns the dimensions of its commands and effects.
+    fn obstructed_arm(&mut self, arm: &Bound<'_, PyObstructedArm>) -> (usize, usize) {
+        self.explore_it(Moving::from(arm.get().0.clone()))
     }
 
     /// Tell of motor babbling.

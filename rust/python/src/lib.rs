@@ -17,6 +17,7 @@ mod exact_sum;
 mod goals;
 mod inverse;
 mod kdtree;
+mod obstructed_arm;
 mod random;
 
 use pyo3::prelude::*;
@@ -32,6 +33,8 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<bounds::PyBounds>()?;
     module.add_class::<coverage::PyCoverage>()?;
     module.add_class::<engine::PyEngine>()?;
+    module.add_class::<obstructed_arm::PyObstacle>()?;
+    module.add_class::<obstructed_arm::PyObstructedArm>()?;
     module.add_class::<exact_sum::PyExactSum>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
     module.add_function(wrap_pyfunction!(elementary::exp, module)?)?;

@@ -16,7 +16,7 @@ EDGES = ("whole", "part", "point", "zero")
 def arms(draw):
     """Draw an arm of 1 to 40 joints; its spaces may have been replaced."""
     limit = draw(st.one_of(st.floats(0.01, 3.14), st.sampled_from([1e-300, 40.0])))
-    arm = db.PlanarArm(draw(st.integers(1, 40)), limit=limit)
+    arm = db.PlanarArm(draw(st.integers(1, 40)), limit=limit, **draw(surroundings()))
     if draw(st.booleans()):
         edges = draw(st.sampled_from([*EDGES, "mixed"]))
         low, high = _within(arm, edges, draw(st.integers(0, 2**32 - 1)))
@@ -24,6 +24,14 @@ def arms(draw):
     if draw(st.booleans()):
         arm.sensory_space = draw(st.one_of(planes(), planes(), planes(), st.none()))
     return arm
+
+
+def surroundings():
+    """Draw what an arm of any number of joints can have in its way."""
+    walls = [db.Wall([-1, 0.2], [1, 0.2]), db.Wall([0.3, -0.5], [0.3, -0.05], thickness=0.01)]
+    discs = [db.Disc([x, y], 0.05) for x in (-0.5, 0, 0.6) for y in (-0.3, 0.15)]
+    among = {"obstacles": [*walls, *discs], "thickness": 0.001}
+    return st.sampled_from([{}, {}, among, {**among, "self_contact": True}])
 
 
 def _namespace(low, high):

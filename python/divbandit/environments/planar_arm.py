@@ -231,7 +231,7 @@ class PlanarArm:
         >>> arm.follow([[0, 0], [0, 1.5], [0.9, 0.3]]).round(6)     # folded first, it passes
         array([0.491984, 0.857683])
         >>> arm([0.9, 0.3]).round(6)
-        array([0.871498, 0.490372])
+        array([0.865725, 0.495   ])
         """
         if np.ndim(trajectory) != 3:
             return self._moving.follow(trajectory)

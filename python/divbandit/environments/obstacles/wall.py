@@ -31,8 +31,8 @@ class Wall(Obstacle):
     --------
     >>> import divbandit as db
     >>> arm = db.PlanarArm(1, limit=3.0, thickness=0.02, obstacles=[db.Wall([0, 0.5], [0, 2])])
-    >>> arm.progress([2.0]).round(6)     # upright less the angle by which half a width leads
-    array(0.775397)
+    >>> round(float(arm.progress([2.0])), 6)     # upright, less what half the link is thick
+    0.775397
     """
 
     start: NDArray[np.float64]

@@ -22,6 +22,8 @@ pub(crate) struct Chain {
     rates: Vec<f64>,
     /// What no joint's acceleration exceeds, in metres a unit of the way squared.
     accelerations: Vec<f64>,
+    /// What no joint's speed exceeds, in metres a unit of the way.
+    speeds: Vec<f64>,
     directions: Vec<[f64; LANES]>,
     points: Vec<Vector>,
     velocities: Vec<Vector>,
@@ -36,6 +38,7 @@ impl Chain {
             to: vec![0.0; joints],
             rates: vec![0.0; joints],
             accelerations: vec![0.0; joints + 1],
+            speeds: vec![0.0; joints + 1],
             directions: vec![[0.0; LANES]; joints.div_ceil(LANES)],
             points: vec![Vector::ZERO; joints + 1],
             velocities: vec![Vector::ZERO; joints + 1],
@@ -47,12 +50,14 @@ impl Chain {
         self.from.copy_from_slice(from);
         self.to.copy_from_slice(to);
         let length = 1.0 / self.from.len() as f64;
-        let (mut rate, mut squares) = (0.0, 0.0);
+        let (mut rate, mut squares, mut sum) = (0.0_f64, 0.0, 0.0);
         for (joint, (from, to)) in from.iter().zip(to).enumerate() {
             rate += to - from;
             squares += rate * rate;
+            sum += rate.abs();
             self.rates[joint] = rate;
             self.accelerations[joint + 1] = squares * length;
+            self.speeds[joint + 1] = sum * length;
         }
     }
 
@@ -125,14 +130,27 @@ impl Chain {
         self.accelerations[joint] - self.accelerations[since]
     }
 
+    /// What the speed of a joint, seen from the joint `since`, never exceeds.
+    #[inline]
+    pub fn speed(&self, since: usize, joint: usize) -> f64 {
+        self.speeds[joint] - self.speeds[since]
+    }
+
+    /// How far from the joint `since` a joint can be.
+    #[inline]
+    pub fn length(&self, since: usize, joint: usize) -> f64 {
+        (joint - since) as f64 / self.links() as f64
+    }
+
+    /// How fast a link's direction turns, in radians a unit of the way.
+    #[inline]
+    pub fn rate(&self, link: usize) -> f64 {
+        self.rates[link]
+    }
+
     /// The axis of a link.
     #[inline]
     pub fn link(&self, link: usize) -> Segment {
         Segment::new(self.points[link], self.points[link + 1])
-    }
-
-    /// All joints' places, the base first.
-    pub fn points(&self) -> &[Vector] {
-        &self.points
     }
 }

@@ -7,22 +7,37 @@ use parry2d_f64::shape::Segment;
 /// Clearances below this many metres are contact: less than a posture's rounding could hide a touch.
 pub(crate) const CONTACT: f64 = 1e-13;
 
-/// The least distance of two segments that do not cross, and its direction, a unit vector from `to` to `from`.
+/// How near two segments come to each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Closest {
+    /// The least distance.
+    pub distance: f64,
+    /// Its direction: a unit vector from the second segment to the first.
+    pub normal: Vector,
+    /// Of which segment an end is closest: 0 for the first, 1 for the second.
+    pub end_of: usize,
+}
+
+/// Where two segments that do not cross are closest.
 ///
-/// Such segments are closest at an end of one of them: four projections of a point onto a segment. parry's
-/// query for two segments at once divides by what vanishes where they are parallel.
+/// That is at an end of one of them: four projections of a point onto a segment. parry's query for two
+/// segments at once divides by what vanishes where they are parallel.
 #[inline]
-pub(crate) fn closest(from: &Segment, to: &Segment) -> (f64, Vector) {
-    let mut offset = from.a - foot(to, from.a);
-    let mut square = offset.length_squared();
-    for other in [from.b - foot(to, from.b), foot(from, to.a) - to.a, foot(from, to.b) - to.b] {
+pub(crate) fn closest(first: &Segment, second: &Segment) -> Closest {
+    let mut offset = first.a - foot(second, first.a);
+    let (mut square, mut end_of) = (offset.length_squared(), 0);
+    for (other, its_end_of) in [
+        (first.b - foot(second, first.b), 0),
+        (foot(first, second.a) - second.a, 1),
+        (foot(first, second.b) - second.b, 1),
+    ] {
         let its_square = other.length_squared();
         if its_square < square {
-            (offset, square) = (other, its_square);
+            (offset, square, end_of) = (other, its_square, its_end_of);
         }
     }
     let distance = square.sqrt();
-    (distance, offset / distance)
+    Closest { distance, normal: offset / distance, end_of }
 }
 
 #[inline]

@@ -71,7 +71,7 @@ impl Scene {
     /// The first obstacle that a capsule touches, or that surrounds it.
     pub fn touching(&self, axis: &Segment, radius: f64) -> Option<usize> {
         let touched = self.pieces.iter().filter(|piece| {
-            let between = super::gap::closest(axis, &piece.capsule.segment).0;
+            let between = super::gap::closest(axis, &piece.capsule.segment).distance;
             between <= radius + piece.capsule.radius || touch(axis, &piece.capsule.segment)
         });
         let touched = touched.map(|piece| piece.obstacle).min();

@@ -101,7 +101,7 @@ impl Sweep {
         }
         if self.self_contact {
             for earlier in 0..link.saturating_sub(1) {
-                limit(moving.clear_of_link(chain, earlier, 2.0 * self.radius), Met::Link(earlier));
+                limit(moving.clear_of_link(earlier, 2.0 * self.radius), Met::Link(earlier));
             }
         }
         let within = limit(f64::INFINITY, Met::Other);
@@ -115,61 +115,141 @@ impl Sweep {
 }
 
 /// A link at some moment: where its ends are, how they move, and how much that can change.
-struct Moving {
+struct Moving<'a> {
+    chain: &'a Chain,
     link: usize,
     axis: Segment,
-    velocities: [Vector; 2],
-    accelerations: [f64; 2],
+    /// What is farther than the link can get in a time does not matter: its speed now.
     speed: f64,
 }
 
-impl Moving {
-    fn new(chain: &Chain, link: usize) -> Self {
-        let velocities = [chain.velocity(link), chain.velocity(link + 1)];
-        let squares = velocities.map(Vector::length_squared);
-        Self {
-            link,
-            axis: chain.link(link),
-            velocities,
-            accelerations: [chain.acceleration(0, link), chain.acceleration(0, link + 1)],
-            speed: squares[0].max(squares[1]).sqrt(),
-        }
+impl<'a> Moving<'a> {
+    fn new(chain: &'a Chain, link: usize) -> Self {
+        let squares = [link, link + 1].map(|joint| chain.velocity(joint).length_squared());
+        let speed = squares[0].max(squares[1]).sqrt();
+        Self { chain, link, axis: chain.link(link), speed }
     }
 
     /// No point of the link gets farther than this in that time.
     #[inline]
     fn reach(&self, time: f64) -> f64 {
-        (self.speed + 0.5 * self.accelerations[1] * time) * time
+        (self.speed + 0.5 * self.chain.acceleration(0, self.link + 1) * time) * time
     }
 
     /// For how long the link's axis stays `apart` from a segment.
     #[inline]
     fn clear_of(&self, segment: &Segment, apart: f64) -> f64 {
-        let (_, normal) = closest(&self.axis, segment);
+        let chain = self.chain;
+        let found = closest(&self.axis, segment);
+        let normal = found.normal;
         // The half plane that the segment keeps to, whatever rounding did to the normal.
         let side = normal.dot(segment.a).max(normal.dot(segment.b)) + apart + CONTACT;
-        let open = |end: Vector, i: usize| {
-            let closing = -normal.dot(self.velocities[i]);
-            open_for(normal.dot(end) - side, closing, self.accelerations[i])
+        let open = |joint: usize, end: Vector| {
+            let closing = -normal.dot(chain.velocity(joint));
+            open_for(normal.dot(end) - side, closing, chain.acceleration(0, joint))
         };
-        open(self.axis.a, 0).min(open(self.axis.b, 1))
+        let time = open(self.link, self.axis.a).min(open(self.link + 1, self.axis.b));
+        if found.end_of == 0 {
+            return time;
+        }
+        // A corner at the link's side.
+        let end = |at: Vector| Point {
+            at,
+            velocity: Vector::ZERO,
+            farthest: at.length() + chain.length(0, self.link),
+            fastest: chain.speed(0, self.link),
+            acceleration: chain.acceleration(0, self.link),
+        };
+        time.max(Side::of(chain, self.link).clear_of([end(segment.a), end(segment.b)], apart))
     }
 
     /// For how long the link's axis stays `apart` from that of an earlier link of the chain.
     #[inline]
-    fn clear_of_link(&self, chain: &Chain, earlier: usize, apart: f64) -> f64 {
+    fn clear_of_link(&self, earlier: usize, apart: f64) -> f64 {
+        let chain = self.chain;
         let axis = chain.link(earlier);
-        let (_, normal) = closest(&self.axis, &axis);
-        let mut shortest = f64::INFINITY;
+        let found = closest(&self.axis, &axis);
+        let normal = found.normal;
+        let mut time = f64::INFINITY;
         for (joint, its_end) in [(earlier, axis.a), (earlier + 1, axis.b)] {
             let its_velocity = chain.velocity(joint);
-            for (i, end) in [self.axis.a, self.axis.b].into_iter().enumerate() {
+            for (own, end) in [(self.link, self.axis.a), (self.link + 1, self.axis.b)] {
                 let gap = normal.dot(end - its_end) - apart - CONTACT;
-                let closing = normal.dot(its_velocity - self.velocities[i]);
-                let acceleration = chain.acceleration(joint, self.link + i);
-                shortest = shortest.min(open_for(gap, closing, acceleration));
+                let closing = normal.dot(its_velocity - chain.velocity(own));
+                time = time.min(open_for(gap, closing, chain.acceleration(joint, own)));
             }
         }
-        shortest
+        // One's end at the other's side.
+        let (turning, other) =
+            if found.end_of == 0 { (earlier, self.link) } else { (self.link, earlier) };
+        let end = |joint: usize| {
+            let (first, last) = (turning.min(joint), turning.max(joint));
+            Point {
+                at: chain.point(joint),
+                velocity: chain.velocity(joint),
+                farthest: chain.length(first, last),
+                fastest: chain.speed(first, last),
+                acceleration: chain.acceleration(first, last),
+            }
+        };
+        time.max(Side::of(chain, turning).clear_of([end(other), end(other + 1)], apart))
+    }
+}
+
+/// A point that a link's side must not reach, and what is known of it as seen from the link's near joint.
+struct Point {
+    at: Vector,
+    velocity: Vector,
+    /// It is never farther away,
+    farthest: f64,
+    /// never faster,
+    fastest: f64,
+    /// and its acceleration is never more.
+    acceleration: f64,
+}
+
+/// The line through a link, which turns with it.
+///
+/// Where a corner or a disc is at a link's side, the side is what the link touches it with. A line that does not turn would
+/// separate them only until the faster end of the link crosses it.
+struct Side {
+    joint: Vector,
+    velocity: Vector,
+    normal: Vector,
+    /// How the normal changes.
+    turning: Vector,
+    rate: f64,
+}
+
+impl Side {
+    #[inline]
+    fn of(chain: &Chain, link: usize) -> Self {
+        let axis = chain.link(link);
+        let direction = (axis.b - axis.a) * chain.links() as f64;
+        let rate = chain.rate(link);
+        Self {
+            joint: axis.a,
+            velocity: chain.velocity(link),
+            normal: Vector::new(-direction.y, direction.x),
+            turning: direction * -rate,
+            rate: rate.abs(),
+        }
+    }
+
+    /// For how long two points, both on one side, stay `apart` from the line.
+    #[inline]
+    fn clear_of(&self, points: [Point; 2], apart: f64) -> f64 {
+        let between = points[0].at - self.joint;
+        let sign = if self.normal.dot(between) < 0.0 { -1.0 } else { 1.0 };
+        let open = |point: &Point| {
+            let away = point.at - self.joint;
+            let gap = sign * self.normal.dot(away) - apart - CONTACT;
+            let moved = self.normal.dot(point.velocity - self.velocity);
+            let closing = -sign * (self.turning.dot(away) + moved);
+            let (rate, farthest) = (self.rate, point.farthest);
+            let curved = rate * (rate * farthest + 2.0 * point.fastest) + point.acceleration;
+            open_for(gap, closing, curved)
+        };
+        open(&points[0]).min(open(&points[1]))
     }
 }

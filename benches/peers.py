@@ -21,6 +21,7 @@ import divbandit as db
 from timing import fastest
 
 sys.path.append(str(Path(__file__).parents[1]))
+from tests.reference.contact import postures, shape
 from tests.reference.slices import sliced_volume
 from tests.reference.tessellation import tessellated_volume
 from tests.reference.union_area import union_area
@@ -28,6 +29,24 @@ from tests.reference.union_area import union_area
 TAU = 0.02
 ARM = db.PlanarArm(20)
 PIXELS = 512
+OBSTRUCTED_WORK = "arm of 20 links among 10 obstacles to its first contact"
+OBSTRUCTED = db.PlanarArm(
+    20,
+    obstacles=[
+        db.Disc([0.3, 0.45], 0.1),
+        db.Disc([-0.3, -0.4], 0.05),
+        db.Disc([0.8, -0.5], 0.1),
+        db.Rectangle([-0.6, -0.8], [-0.3, -0.6]),
+        db.Rectangle([0.1, -0.7], [0.3, -0.4]),
+        db.Polygon(
+            [[0.5, -0.4], [0.8, -0.4], [0.8, -0.35], [0.55, -0.35], [0.55, -0.2], [0.5, -0.2]]
+        ),
+        db.Polygon([[-0.2, 0.5], [0, 0.9], [-0.4, 0.9], [-0.2, 0.7]]),
+        db.Wall([-0.5, 0.2], [-0.3, 0.6], thickness=0.02),
+        db.Wall([0.6, 0.4], [0.9, 0.5]),
+        db.Wall([-0.9, 0], [-0.5, 0], thickness=0.01),
+    ],
+)
 
 
 @dataclass
@@ -62,6 +81,8 @@ def main():
     rows = [
         kinematics_batch(10000 // scale),
         kinematics_single(10000 // scale),
+        obstructed_batch(1000 // scale),
+        obstructed_single(1000 // scale),
         nearest_neighbour(10000 // scale),
         growing_union(2000 // scale),
         whole_union(5000 // scale),
@@ -112,6 +133,82 @@ def kinematics_single(n):
     ours, found = fastest(lambda: [ARM(x) for x in commands], repeat=5)
     np.testing.assert_allclose(found, expected, atol=1e-14)
     return Row("kinematics, 20 joints, one command a call", "NumPy", theirs / n, ours / n)
+
+
+def shapely_obstacles():
+    """Return the obstacles as thin shapes, and how near to each the arm's axes can come."""
+    pairs = [shape(obstacle) for obstacle in OBSTRUCTED.obstacles]
+    apart = np.array([radius for _, radius in pairs]) + OBSTRUCTED.thickness / 2
+    thin = np.array([each for each, _ in pairs])
+    shapely.prepare(thin)
+    return thin, apart
+
+
+def shapely_progress(commands, thin, apart):
+    """Advance all arms at once, each by what is safe: its clearance over its largest speed.
+
+    The arm is one line string: link by link there are fewer steps, but each costs far more.
+    """
+    speeds = np.abs(np.cumsum(commands, axis=1)).sum(axis=1) / commands.shape[1]
+    progress = np.ones(len(commands))
+    moving, shares = np.arange(len(commands)), np.zeros(len(commands))
+    while len(moving):
+        lines = shapely.linestrings(postures(shares[:, None] * commands[moving]))
+        clearances = (shapely.distance(thin, lines[:, None]) - apart).min(axis=1)
+        safe = clearances / speeds[moving]
+        stopped = safe < 1e-9
+        progress[moving[stopped]] = shares[stopped]
+        on = ~stopped & (shares + safe < 1)
+        moving, shares = moving[on], (shares + safe)[on]
+    return progress
+
+
+def shapely_progress_of_one(command, thin, apart):
+    speed = np.abs(np.cumsum(command)).sum() / len(command)
+    share = 0.0
+    while share < 1:
+        line = shapely.linestrings(postures(share * command))
+        safe = (shapely.distance(thin, line) - apart).min() / speed
+        if safe < 1e-9:
+            return share
+        share += safe
+    return 1.0
+
+
+def some_obstructed_commands(n):
+    """Commands as an exploration yields them; a good half of them end in contact."""
+    strategy = db.Mixture([db.MotorBabbling(), db.GoalBabbling(0.05)])
+    commands = db.explore(OBSTRUCTED, strategy, n=n, rng=0).commands
+    assert 0.4 < np.mean(OBSTRUCTED.progress(commands) < 1) < 0.8
+    return commands
+
+
+def obstructed_batch(n):
+    commands = some_obstructed_commands(n)
+    shapes = shapely_obstacles()
+    theirs, progress = fastest(lambda: shapely_progress(commands, *shapes), repeat=3)
+    ours, tips = fastest(lambda: OBSTRUCTED(commands), repeat=20)
+    same_contacts(commands, tips, progress)
+    return Row(f"{OBSTRUCTED_WORK}, one of a batch", "NumPy and Shapely", theirs / n, ours / n)
+
+
+def obstructed_single(n):
+    commands = list(some_obstructed_commands(n))
+    shapes = shapely_obstacles()
+    theirs, progress = fastest(
+        lambda: [shapely_progress_of_one(x, *shapes) for x in commands], repeat=3
+    )
+    ours, tips = fastest(lambda: [OBSTRUCTED(x) for x in commands], repeat=5)
+    same_contacts(commands, tips, progress)
+    return Row(f"{OBSTRUCTED_WORK}, one a call", "NumPy and Shapely", theirs / n, ours / n)
+
+
+def same_contacts(commands, tips, progress):
+    """Check that both found the same contacts, or none."""
+    np.testing.assert_allclose(OBSTRUCTED.progress(commands), progress, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(
+        tips, numpy_kinematics(np.array(progress)[:, None] * commands), atol=1e-6
+    )
 
 
 def nearest_neighbour(n):

@@ -10,6 +10,7 @@ from divbandit import plot
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
 RUN = db.explore(db.PlanarArm(5), ADAPT, 60, rng=0)
 POSTURES = [db.PlanarArm(5).posture(command) for command in RUN.commands[:3]]
+OBSTACLES = [db.Disc([0.5, 0.5], 0.1), db.Wall([-1, 0.8], [1, 0.8])]
 MIXTURES = [[0.0, 1.0, 0.1], [0.5, 2.0, 0.2], [1.0, 1.5, 0.1]]
 
 
@@ -26,6 +27,7 @@ CASES = {
     "ranking": lambda ax: plot.ranking(RANKS, labels=["a", "b"], unit="m²", ax=ax),
     "series": lambda ax: series(ax, baseline=[1.0, 2.0]),
     "spread": lambda ax: plot.spread(RUN, tau=0.02, unit="m", ax=ax),
+    "scene": lambda ax: plot.scene(OBSTACLES, unit="m", ax=ax),
     "postures": lambda ax: plot.postures(POSTURES, unit="m", ax=ax),
     "diversity": lambda ax: plot.diversity(RUN, labels=["a", "b"], unit="m²", ax=ax),
     "usage": lambda ax: plot.usage(RUN, labels=["a", "b"], ax=ax),
@@ -113,6 +115,7 @@ def test_mixtures_draws_means_and_the_bandits_band():
         (lambda: plot.spread(RUN, tau=-1.0), "tau"),
         (lambda: plot.postures(np.zeros(4)), "data"),
         (lambda: plot.postures(np.zeros((0, 3, 2))), "data"),
+        (lambda: plot.postures(POSTURES, thickness=0.0), "thickness"),
         (lambda: plot.diversity(RUN, labels=["one"]), "labels"),
         (lambda: plot.usage(RUN, labels=["one"]), "labels"),
         (lambda: plot.usage([-1, 0]), "data"),

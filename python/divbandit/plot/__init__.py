@@ -7,8 +7,9 @@ from divbandit.plot.diversity import diversity
 from divbandit.plot.mixtures import mixtures
 from divbandit.plot.postures import postures
 from divbandit.plot.ranking import ranking
+from divbandit.plot.scene import scene
 from divbandit.plot.series import series
 from divbandit.plot.spread import spread
 from divbandit.plot.usage import usage
 
-__all__ = ["diversity", "mixtures", "postures", "ranking", "series", "spread", "usage"]
+__all__ = ["diversity", "mixtures", "postures", "ranking", "scene", "series", "spread", "usage"]

@@ -41,6 +41,24 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
         raise type(error)(f"{name} must be an array of numbers: {error}") from None
 
 
+def capsule(start: ArrayLike, end: ArrayLike, thickness: float) -> NDArray[np.float64]:
+    """Return the outline of a segment with rounded ends, half of its thickness on either side.
+
+    Examples
+    --------
+    >>> outline = capsule([0, 0], [1, 0], 0.2)
+    >>> outline.shape, outline.min(axis=0).round(12), outline.max(axis=0).round(12)
+    ((34, 2), array([-0.1, -0.1]), array([1.1, 0.1]))
+    """
+    start, end = numbers("start", start), numbers("end", end)
+    along = end - start
+    heading = np.arctan2(along[1], along[0])
+    turns = heading + np.linspace(-np.pi / 2, np.pi / 2, 17)
+    half = 0.5 * thickness * np.stack([np.cos(turns), np.sin(turns)], axis=-1)
+    outline: NDArray[np.float64] = np.concatenate([end + half, start - half])
+    return outline
+
+
 def means_and_deviations(data: ArrayLike) -> NDArray[np.float64]:
     """Return means with their standard deviations, shape (k, 2).
 

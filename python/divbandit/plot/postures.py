@@ -2,25 +2,35 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from divbandit._checks import positive
 from divbandit.plot import style
-from divbandit.plot.data import numbers
+from divbandit.plot.data import capsule, numbers
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
 
-def postures(data: ArrayLike, *, unit: str = "", ax: Axes | None = None) -> Axes:
+def postures(
+    data: ArrayLike,
+    *,
+    thickness: float | None = None,
+    unit: str = "",
+    ax: Axes | None = None,
+) -> Axes:
     """Draw postures as chains of segments from the base to the tip.
 
     Parameters
     ----------
     data : array_like, shape (joints + 1, 2) or (k, joints + 1, 2)
         One posture or several, as `PlanarArm.posture` returns them; later ones are drawn darker.
+    thickness : float, optional
+        How thick the links are, in the units of the positions; positive. By default they are lines.
     unit : str
         The unit of the positions, for the labels of the axes.
     ax : matplotlib.axes.Axes, optional
@@ -32,8 +42,8 @@ def postures(data: ArrayLike, *, unit: str = "", ax: Axes | None = None) -> Axes
 
     Raises
     ------
-    ValueError
-        If `data` has another shape.
+    TypeError, ValueError
+        If `data` has another shape, or `thickness` is not a positive number.
 
     Examples
     --------
@@ -47,9 +57,13 @@ def postures(data: ArrayLike, *, unit: str = "", ax: Axes | None = None) -> Axes
     chains = chains[None] if chains.ndim == 2 else chains
     if chains.ndim != 3 or chains.shape[2] != 2 or chains.size == 0:
         raise ValueError(f"data must have shape (k, joints + 1, 2), got {np.shape(data)}")
+    thickness = None if thickness is None else positive("thickness", thickness)
     ax = style.axes(ax)
     for index, chain in enumerate(chains):
         strength = 0.35 + 0.65 * (index + 1) / len(chains)
+        if thickness is not None:
+            _links(chain, thickness, strength, ax)
+            continue
         ax.plot(
             chain[:, 0],
             chain[:, 1],
@@ -78,3 +92,19 @@ def postures(data: ArrayLike, *, unit: str = "", ax: Axes | None = None) -> Axes
     ax.set_xlabel(style.with_unit("x", unit))
     ax.set_ylabel(style.with_unit("y", unit))
     return ax
+
+
+def _links(chain: NDArray[np.float64], thickness: float, strength: float, ax: Axes) -> None:
+    """Draw links as thick as they are; where two overlap, at the joints, they are darker."""
+    from matplotlib.collections import PolyCollection  # noqa: PLC0415
+
+    ends = itertools.pairwise(chain)
+    links = PolyCollection(
+        [capsule(start, end, thickness) for start, end in ends],
+        facecolors=style.COLOURS[0],
+        edgecolors="none",
+        alpha=0.7 * strength,
+        zorder=2,
+    )
+    ax.add_collection(links)
+    ax.autoscale_view()

@@ -23,6 +23,10 @@ PATTERNS = ("-", "--", ":", "-.")
 COVERED = "#A9D1EC"
 #: Single effects.
 EFFECT = "#222222"
+#: Obstacles, under effects and postures.
+OBSTACLE = "#999999"
+#: A ball where it lies at first.
+BALL = "#F0E442"
 #: Widths of a column and of a page of two, in inches.
 COLUMN, PAGE = 3.5, 7.16
 

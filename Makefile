@@ -19,8 +19,8 @@ help: ## list the verbs
 reproduce: $(VENV)/.run develop ## the paper's four figures and the comparison, into figures/
 	$(BIN)/divbandit reproduce --out figures
 
-studies: $(VENV)/.run develop ## rules, strategies, composition: the studies of docs/studies.md, into studies/
-	for study in rules strategies composition; do $(BIN)/divbandit study $$study --out studies || exit 1; done
+studies: $(VENV)/.test develop ## the studies of docs/studies.md and docs/environments.md, into studies/
+	for study in rules strategies composition environments; do $(BIN)/divbandit study $$study --out studies || exit 1; done
 
 test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI makes
 

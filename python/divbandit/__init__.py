@@ -12,12 +12,16 @@ from divbandit import bandits, plot
 from divbandit._core import NearestNeighbors
 from divbandit.bandits import Adapt, Bandit, default_strategies, default_strategy
 from divbandit.box import Box
+from divbandit.controllers import MovementPrimitives
 from divbandit.environments import (
+    Controlled,
     Disc,
     Environment,
     FunctionEnvironment,
     PlanarArm,
     Polygon,
+    ProcessEnvironment,
+    ProgramError,
     PushArm,
     Rectangle,
     Wall,
@@ -62,6 +66,7 @@ __all__ = [
     "Bandit",
     "Box",
     "Composite",
+    "Controlled",
     "Coverage",
     "Disc",
     "Entropy",
@@ -84,11 +89,14 @@ __all__ = [
     "Measure",
     "Mixture",
     "MotorBabbling",
+    "MovementPrimitives",
     "NearestNeighbor",
     "NearestNeighbors",
     "NovelGoals",
     "PlanarArm",
     "Polygon",
+    "ProcessEnvironment",
+    "ProgramError",
     "PushArm",
     "QuasiRandomBabbling",
     "Rectangle",

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from divbandit._checks import truth
 from divbandit._core import as_point
 from divbandit.box import Box, BoxLike
 
@@ -22,11 +23,13 @@ class FunctionEnvironment:
     ----------
     f : callable
         Takes a motor command, a read-only array of shape (m,), and returns the effect, an
-        array of shape (s,).
+        array of shape (s,), or a single number for one of shape (1,).
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
         A box in S from which goals make sense. Without one, goal babbling must be given goals.
+    scalars : bool
+        Whether `f` takes the m numbers of a command as so many arguments, each a float.
 
     Raises
     ------
@@ -39,6 +42,9 @@ class FunctionEnvironment:
     >>> wave = db.FunctionEnvironment(lambda x: [x[0], x[0] * x[1]], db.Box([-1, -1], [1, 1]))
     >>> wave([0.5, 0.5])
     array([0.5 , 0.25])
+    >>> hill = db.FunctionEnvironment(lambda x, y: x * y, db.Box([-1, -1], [1, 1]), scalars=True)
+    >>> hill([0.5, 0.5])
+    array([0.25])
     """
 
     motor_space: Box
@@ -46,13 +52,16 @@ class FunctionEnvironment:
 
     def __init__(
         self,
-        f: Callable[[NDArray[np.float64]], ArrayLike],
+        f: Callable[..., ArrayLike],
         motor_space: BoxLike,
         sensory_space: BoxLike | None = None,
+        *,
+        scalars: bool = False,
     ) -> None:
         if not callable(f):
             raise TypeError(f"f must be callable, got {type(f).__name__}")
         self._f = f
+        self._scalars = truth("scalars", scalars)
         self.motor_space = Box.of(motor_space, name="motor_space")
         self.sensory_space = (
             None if sensory_space is None else Box.of(sensory_space, name="sensory_space")
@@ -86,14 +95,19 @@ class FunctionEnvironment:
         commands = self.motor_space.bounds.commands(command)
         length = None if self.sensory_space is None else self.sensory_space.dim
         if commands.ndim == 1:
-            return as_point("effect", self._f(commands), length)
+            return self._effect(commands, length)
         effects = []
         for row in commands:
-            effect = as_point("effect", self._f(row), length)
+            effect = self._effect(row, length)
             length = len(effect)
             effects.append(effect)
         return np.stack(effects) if effects else np.empty((0, length or 0))
 
+    def _effect(self, command: NDArray[np.float64], length: int | None) -> NDArray[np.float64]:
+        effect = self._f(*command.tolist()) if self._scalars else self._f(command)
+        return as_point("effect", [effect] if np.ndim(effect) == 0 else effect, length)
+
     def __repr__(self) -> str:
         name = getattr(self._f, "__name__", repr(self._f))
-        return f"FunctionEnvironment({name}, {self.motor_space!r}, {self.sensory_space!r})"
+        scalars = ", scalars=True" if self._scalars else ""
+        return f"FunctionEnvironment({name}, {self.motor_space!r}, {self.sensory_space!r}{scalars})"

@@ -1,4 +1,4 @@
-"""Studies: which bandit, of how many strategies, made of which parts.
+"""Studies: which bandit, of how many strategies, made of which parts, where.
 
 Each study's file keeps the runs apart from the drawing.
 """

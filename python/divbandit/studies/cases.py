@@ -58,6 +58,8 @@ class Case:
         By default `explored`.
     environment : Environment
         By default the paper's arm.
+    tau : float
+        Radius of what an effect covers; by default the paper's.
     """
 
     strategy: Any
@@ -65,6 +67,7 @@ class Case:
     place: tuple[int, ...]
     method: Method = explored
     environment: Environment = setting.arm()  # noqa: RUF009 - never changes
+    tau: float = setting.TAU
 
 
 @dataclass(frozen=True)
@@ -146,7 +149,7 @@ def _reached(item: tuple[Case, SeedSequence]) -> list[float]:
     """Return the coverages that one exploration reaches."""
     case, seed = item
     effects = case.method(case.environment, case.strategy, case.at[-1], seed)
-    measured = Coverage(setting.TAU)
+    measured = Coverage(case.tau)
     reached = []
     for count in case.at:
         measured.extend(effects[len(measured) : count])

@@ -102,7 +102,7 @@ def explorations(repetitions: int) -> int:
     return len(compositions()) * repetitions
 
 
-def draw(rows: Sequence[Row]) -> Figure:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """Draw a panel for each number of steps told and in it a row for each composition."""
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
@@ -119,7 +119,7 @@ def draw(rows: Sequence[Row]) -> Figure:
         ax.set_title(f"({letter}) {rows[0].at[place]} steps")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, frameon=False, loc="outside lower center")
-    return figure
+    return {NAME: figure}
 
 
 def save(rows: Sequence[Row], path: Path) -> None:

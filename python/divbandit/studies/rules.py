@@ -107,7 +107,7 @@ def panels(rows: Sequence[Row]) -> list[Panel]:
     return found
 
 
-def draw(rows: Sequence[Row]) -> Figure:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """Draw a panel for each d and in it a row for each bandit."""
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
@@ -129,7 +129,7 @@ def draw(rows: Sequence[Row]) -> Figure:
         ax.set_title(f"({letter}) d = {panel.d}")
     handles, labels = row_of_axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, frameon=False, loc="outside lower center", ncols=len(labels))
-    return figure
+    return {NAME: figure}
 
 
 def save(rows: Sequence[Row], path: Path) -> None:

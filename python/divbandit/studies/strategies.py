@@ -123,7 +123,7 @@ def explorations(repetitions: int) -> int:
     return len(MIXES) * len(SIZES) * (len(RIVALS) + 1) * repetitions
 
 
-def draw(rows: Sequence[Row]) -> Figure:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """Draw a panel for each mix and in it a line for each rival."""
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
@@ -147,7 +147,7 @@ def draw(rows: Sequence[Row]) -> Figure:
         ax.label_outer()
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, frameon=False, loc="outside right center")
-    return figure
+    return {NAME: figure}
 
 
 def save(rows: Sequence[Row], path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from divbandit._checks import one_of, whole
 from divbandit.plot import style
-from divbandit.studies import composition, rules, strategies
+from divbandit.studies import composition, environments, rules, strategies
 
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from divbandit.experiments.explore_many import Progress
     from divbandit.paper.reproduce import Bar
 
-_STUDIES = {each.NAME: each for each in (rules, strategies, composition)}
+_STUDIES = {each.NAME: each for each in (rules, strategies, composition, environments)}
 
 #: Their names.
 STUDIES = tuple(_STUDIES)
@@ -33,15 +33,17 @@ def study(
     jobs: int | None = None,
     bar: Bar | None = None,
 ) -> str:
-    """Make a study: its figure, PNG and SVG, and a CSV of all its numbers in a folder.
+    """Make a study: its figures, PNG and SVG, and a CSV of all its numbers in a folder.
 
     ``"rules"`` has every bandit of the library in the three settings of the paper's figure 4,
     ``"strategies"`` takes some of them to 2 to 64 strategies, ``"composition"`` compares the
-    library's own composition with the paper's and with itself less one part.
+    library's own composition with the paper's and with itself less one part. ``"environments"``
+    has ADAPT, its parts and their mixtures in five black boxes, one of them MuJoCo's Pusher, which
+    needs ``pip install 'divbandit[mujoco]'``.
 
     Parameters
     ----------
-    name : {"rules", "strategies", "composition"}
+    name : {"rules", "strategies", "composition", "environments"}
     out : str or path
         The folder; made if it is not there.
     repetitions : int
@@ -88,7 +90,8 @@ def study(
     with (bar or _no_bar)(name, made.explorations(repetitions)) as progress:
         rows = made.run(seed, steps=steps, repetitions=repetitions, jobs=jobs, progress=progress)
     with style.printed():
-        style.save(made.draw(rows), folder / name)
+        for stem, figure in made.draw(rows).items():
+            style.save(figure, folder / stem)
     made.save(rows, folder / f"{name}.csv")
     table: str = made.table(rows)
     return table

@@ -25,7 +25,7 @@ fn thing(stream: &mut Stream) -> Thing {
         1 => {
             let turn = stream.between(0.0, 6.0);
             let corner = |k: usize| {
-                let (sine, cosine) = (turn + 6.283 / 5.0 * k as f64).sin_cos();
+                let (sine, cosine) = (turn + std::f64::consts::TAU / 5.0 * k as f64).sin_cos();
                 [size * cosine, size * sine]
             };
             let corners: Vec<[f64; 2]> = (0..5).map(corner).collect();

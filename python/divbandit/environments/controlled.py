@@ -1,0 +1,145 @@
+"""Controlled: a body that follows the trajectories of a controller."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
+
+import numpy as np
+
+from divbandit._core import as_point
+from divbandit.box import Box, BoxLike
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+@runtime_checkable
+class Body(Protocol):
+    """What follows a trajectory, as `PlanarArm` and `PushArm` do.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.environments.controlled import Body
+    >>> isinstance(db.PlanarArm(3), Body)
+    True
+    """
+
+    @property
+    def sensory_space(self) -> BoxLike | None:
+        """A box in S from which goals make sense; None if it is not known."""
+
+    def follow(self, trajectory: NDArray[np.float64], /) -> ArrayLike:
+        """Return the effect, shape (s,), of following a trajectory of shape (steps, dofs)."""
+
+
+@runtime_checkable
+class Trajectories(Protocol):
+    """What turns a motor command into a trajectory, as `MovementPrimitives` does.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> from divbandit.environments.controlled import Trajectories
+    >>> isinstance(db.MovementPrimitives(3), Trajectories)
+    True
+    """
+
+    @property
+    def motor_space(self) -> BoxLike:
+        """M, the box of all motor commands."""
+
+    def trajectory(self, command: NDArray[np.float64], /) -> ArrayLike:
+        """Return the trajectory, shape (steps, dofs), of a command of shape (m,)."""
+
+
+class Controlled:
+    """A body driven by a controller: f(command) = body.follow(controller.trajectory(command)).
+
+    Parameters
+    ----------
+    body : object with ``follow`` and ``sensory_space``
+        Such as a `PlanarArm` or a `PushArm`.
+    controller : object with ``trajectory`` and ``motor_space``
+        Such as `MovementPrimitives`.
+
+    Attributes
+    ----------
+    motor_space : Box
+        That of the controller.
+    sensory_space : Box or None
+        That of the body.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one of them is not what it must be.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> arm = db.PlanarArm(5)
+    >>> moved = db.Controlled(arm, db.MovementPrimitives(5, limit=arm.limit))
+    >>> moved.motor_space.dim
+    30
+    >>> run = db.explore(moved, db.GoalBabbling(0.05), n=50, rng=0)
+    """
+
+    motor_space: Box
+    sensory_space: Box | None
+
+    def __init__(self, body: Body, controller: Trajectories) -> None:
+        if not isinstance(body, Body):
+            raise TypeError(
+                f"body must have follow(trajectory) and sensory_space, got {type(body).__name__}"
+            )
+        if not isinstance(controller, Trajectories):
+            raise TypeError(
+                "controller must have trajectory(command) and motor_space, "
+                f"got {type(controller).__name__}"
+            )
+        self.body, self.controller = body, controller
+        self.motor_space = Box.of(controller.motor_space, name="controller.motor_space")
+        space = body.sensory_space
+        self.sensory_space = None if space is None else Box.of(space, name="body.sensory_space")
+
+    def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
+        """Return the effect of one command, or the effects of many, one by one.
+
+        Parameters
+        ----------
+        command : array_like, shape (m,) or (n, m)
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (s,) or (n, s)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a command is no point of the motor space, the body cannot follow the trajectory, or
+            what it returns is no finite point of the sensory space.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> moved = db.Controlled(db.PlanarArm(2), db.MovementPrimitives(2, goals=None))
+        >>> moved(moved.motor_space.low * 0).round(6)
+        array([1., 0.])
+        """
+        commands = self.motor_space.bounds.commands(command)
+        length = None if self.sensory_space is None else self.sensory_space.dim
+        if commands.ndim == 1:
+            return as_point("effect", self.body.follow(self._trajectory(commands)), length)
+        effects = []
+        for row in commands:
+            effect = as_point("effect", self.body.follow(self._trajectory(row)), length)
+            length = len(effect)
+            effects.append(effect)
+        return np.stack(effects) if effects else np.empty((0, length or 0))
+
+    def _trajectory(self, command: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.asarray(self.controller.trajectory(command), dtype=np.float64)
+
+    def __repr__(self) -> str:
+        return f"Controlled({self.body!r}, {self.controller!r})"

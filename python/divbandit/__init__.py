@@ -18,6 +18,7 @@ from divbandit.environments import (
     FunctionEnvironment,
     PlanarArm,
     Polygon,
+    PushArm,
     Rectangle,
     Wall,
 )
@@ -88,6 +89,7 @@ __all__ = [
     "NovelGoals",
     "PlanarArm",
     "Polygon",
+    "PushArm",
     "QuasiRandomBabbling",
     "Rectangle",
     "Schedule",

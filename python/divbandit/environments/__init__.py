@@ -4,6 +4,7 @@ from divbandit.environments.base import Environment
 from divbandit.environments.function import FunctionEnvironment
 from divbandit.environments.obstacles import Disc, Polygon, Rectangle, Wall
 from divbandit.environments.planar_arm import PlanarArm
+from divbandit.environments.push_arm import PushArm
 
 __all__ = [
     "Disc",
@@ -11,6 +12,7 @@ __all__ = [
     "FunctionEnvironment",
     "PlanarArm",
     "Polygon",
+    "PushArm",
     "Rectangle",
     "Wall",
 ]

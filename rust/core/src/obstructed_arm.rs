@@ -46,7 +46,7 @@ impl ObstructedArm {
             });
         }
         let radius = 0.5 * thickness;
-        let scene = Scene::new(obstacles, 1.0 + thickness);
+        let scene = Scene::new(obstacles);
         let mut chain = Chain::new(arm.joints(), arm.dispatch());
         chain.place(0.0, arm.joints());
         let touching = |link: usize| Some((link, scene.touching(&chain.link(link), radius)?));
@@ -170,12 +170,16 @@ impl<Arm: Borrow<ObstructedArm>> Moving<Arm> {
 }
 
 impl ObstructedArm {
-    fn check(&self, command: &[f64]) -> Result<(), Error> {
+    pub(crate) fn sweep(&self) -> &Sweep {
+        &self.sweep
+    }
+
+    pub(crate) fn check(&self, command: &[f64]) -> Result<(), Error> {
         check_length("command", command, self.arm.joints())?;
         self.arm.check("command", command)
     }
 
-    fn check_trajectory(&self, trajectory: &[f64]) -> Result<(), Error> {
+    pub(crate) fn check_trajectory(&self, trajectory: &[f64]) -> Result<(), Error> {
         let joints = self.arm.joints();
         if trajectory.is_empty() {
             return Err(Error::Empty { name: "trajectory" });
@@ -211,15 +215,15 @@ impl Environment for Moving<ObstructedArm> {
 
 /// The memory that a move needs.
 #[derive(Debug)]
-struct Room {
-    chain: Chain,
+pub(crate) struct Room {
+    pub chain: Chain,
     /// Where the arm is.
-    angles: Vec<f64>,
-    safe: Vec<f64>,
+    pub angles: Vec<f64>,
+    pub safe: Vec<f64>,
 }
 
 impl Room {
-    fn new(arm: &PlanarArm) -> Self {
+    pub fn new(arm: &PlanarArm) -> Self {
         let none = vec![0.0; arm.joints()];
         let chain = Chain::new(arm.joints(), arm.dispatch());
         Self { chain, angles: none.clone(), safe: none }

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use divbandit_core::bandits::Adapt;
 use divbandit_core::exploration::Log;
 use divbandit_core::obstructed_arm::Moving;
+use divbandit_core::push_arm::Pushing;
 use divbandit_core::strategies::{GoalBabbling, Mixture, MotorBabbling, Schedule};
 use divbandit_core::{Bounds, Composition, Environment, Error, Exploration, History};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -17,6 +18,7 @@ use crate::bounds::PyBounds;
 use crate::coverage::PyCoverage;
 use crate::errors::value_error;
 use crate::obstructed_arm::PyObstructedArm;
+use crate::push_arm::PyPushArm;
 use crate::random::{Draws, NumpyStream};
 
 /// How long the engine runs before it lets Python look for Ctrl-C: seldom enough to cost nothing.
@@ -83,6 +85,11 @@ impl PyEngine {
     /// Explore this arm among its obstacles; returns the dimensions of its commands and effects.
     fn obstructed_arm(&mut self, arm: &Bound<'_, PyObstructedArm>) -> (usize, usize) {
         self.explore_it(Moving::from(arm.get().0.clone()))
+    }
+
+    /// Explore this arm and its ball; returns the dimensions of its commands and effects.
+    fn push_arm(&mut self, arm: &Bound<'_, PyPushArm>) -> (usize, usize) {
+        self.explore_it(Pushing::from(arm.get().0.clone()))
     }
 
     /// Tell of motor babbling.

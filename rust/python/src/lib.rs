@@ -18,6 +18,7 @@ mod goals;
 mod inverse;
 mod kdtree;
 mod obstructed_arm;
+mod push_arm;
 mod random;
 
 use pyo3::prelude::*;
@@ -35,6 +36,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<engine::PyEngine>()?;
     module.add_class::<obstructed_arm::PyObstacle>()?;
     module.add_class::<obstructed_arm::PyObstructedArm>()?;
+    module.add_class::<push_arm::PyPushArm>()?;
     module.add_class::<exact_sum::PyExactSum>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
     module.add_function(wrap_pyfunction!(elementary::exp, module)?)?;

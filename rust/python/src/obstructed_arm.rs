@@ -1,8 +1,7 @@
 //! Binding of obstacles and of the arm that stops at them.
 
 use divbandit_core::error::check_length;
-use divbandit_core::obstructed_arm::Moving;
-use divbandit_core::{Error, Obstacle, ObstructedArm};
+use divbandit_core::{Error, Obstacle, ObstructedArm, PlanarArm};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
@@ -50,7 +49,7 @@ impl PyObstacle {
     }
 }
 
-fn pair(name: &'static str, value: &Bound<'_, PyAny>) -> PyResult<[f64; 2]> {
+pub(crate) fn pair(name: &'static str, value: &Bound<'_, PyAny>) -> PyResult<[f64; 2]> {
     let numbers = Floats::point(name, value, Some(2))?.copied()?;
     check_length(name, &numbers, 2).map_err(value_error)?;
     Ok([numbers[0], numbers[1]])
@@ -91,8 +90,8 @@ impl PyObstructedArm {
         py: Python<'py>,
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let moves = |moving: &mut Moving<_>, command: &[f64]| moving.effect(command);
-        self.each(py, command, moves)
+        let mut moving = self.0.moving();
+        each(py, self.0.free(), command, |command| moving.effect(command))
     }
 
     /// The share of the way that can be gone: (joints,) -> (1,), or (n, joints) -> (n, 1).
@@ -101,8 +100,8 @@ impl PyObstructedArm {
         py: Python<'py>,
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let moves = |moving: &mut Moving<_>, command: &[f64]| Ok([moving.progress(command)?]);
-        self.each(py, command, moves)
+        let mut moving = self.0.moving();
+        each(py, self.0.free(), command, |command| Ok([moving.progress(command)?]))
     }
 
     /// The positions of the base, of each joint's far end and, last, of the tip, where the arm stops.
@@ -129,32 +128,28 @@ impl PyObstructedArm {
     }
 }
 
-impl PyObstructedArm {
-    /// What becomes of each command; all are checked before the first move.
-    fn each<'a, 'py, const WIDTH: usize>(
-        &'a self,
-        py: Python<'py>,
-        command: &Bound<'py, PyAny>,
-        moves: impl Fn(&mut Moving<&'a ObstructedArm>, &[f64]) -> Result<[f64; WIDTH], Error> + Sync,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let joints = self.0.free().joints();
-        let commands = Floats::either("command", command, joints)?;
-        let angles = commands.copied()?;
-        if !commands.is_batch() {
-            let outcome = moves(&mut self.0.moving(), &angles).map_err(value_error)?;
-            return Ok(outcome.to_vec().into_pyarray(py).into_any());
-        }
-        let rows = py
-            .detach(|| {
-                self.0.free().check("command", &angles)?;
-                let mut moving = self.0.moving();
-                let mut rows = Vec::with_capacity(angles.len() / joints * WIDTH);
-                for command in angles.chunks_exact(joints) {
-                    rows.extend(moves(&mut moving, command)?);
-                }
-                Ok(rows)
-            })
-            .map_err(value_error)?;
-        Ok(rows.into_pyarray(py).reshape([angles.len() / joints, WIDTH])?.into_any())
+/// What becomes of each command; all are checked before the first move.
+pub(crate) fn each<'py, const WIDTH: usize>(
+    py: Python<'py>,
+    arm: &PlanarArm,
+    command: &Bound<'py, PyAny>,
+    mut becomes: impl FnMut(&[f64]) -> Result<[f64; WIDTH], Error> + Send,
+) -> PyResult<Bound<'py, PyAny>> {
+    let joints = arm.joints();
+    let commands = Floats::either("command", command, joints)?;
+    let angles = commands.copied()?;
+    if !commands.is_batch() {
+        let outcome = becomes(&angles).map_err(value_error)?;
+        return Ok(outcome.to_vec().into_pyarray(py).into_any());
     }
+    let rows = py.detach(|| {
+        arm.check("command", &angles)?;
+        let mut rows = Vec::with_capacity(angles.len() / joints * WIDTH);
+        for command in angles.chunks_exact(joints) {
+            rows.extend(becomes(command)?);
+        }
+        Ok(rows)
+    });
+    let rows = rows.map_err(value_error)?.into_pyarray(py);
+    Ok(rows.reshape([angles.len() / joints, WIDTH])?.into_any())
 }

@@ -49,8 +49,8 @@ fn foot(segment: &Segment, point: Vector) -> Vector {
 /// never less than -`acceleration`: the first root of gap - closing t - acceleration t^2 / 2.
 #[inline]
 pub(crate) fn open_for(gap: f64, closing: f64, acceleration: f64) -> f64 {
-    // Not NaN either, whose root would be no time.
-    if !(gap > 0.0) {
+    // The root of what is no number would be no time either.
+    if gap <= 0.0 || gap.is_nan() {
         return 0.0;
     }
     let root = (closing * closing + 2.0 * acceleration * gap).sqrt();

@@ -6,6 +6,7 @@
 //! and the one that is safe for the shortest is looked at again.
 
 pub(crate) mod chain;
+pub(crate) mod clear;
 pub(crate) mod gap;
 mod obstacle;
 pub(crate) mod scene;

@@ -3,7 +3,6 @@
 use parry2d_f64::bounding_volume::Aabb;
 use parry2d_f64::math::Vector;
 use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
-use parry2d_f64::query::PointQuery;
 use parry2d_f64::shape::{Capsule, Segment};
 
 use super::obstacle::{Obstacle, touch};
@@ -26,17 +25,13 @@ pub(crate) struct Piece {
 }
 
 impl Scene {
-    /// Of these obstacles, as far as they are within `reach` of the origin.
-    pub fn new(obstacles: Vec<Obstacle>, reach: f64) -> Self {
+    /// Of these obstacles.
+    pub fn new(obstacles: Vec<Obstacle>) -> Self {
         let pieces: Vec<Piece> = obstacles
             .iter()
             .enumerate()
             .flat_map(|(obstacle, its)| {
                 its.pieces().into_iter().map(move |capsule| Piece { capsule, obstacle })
-            })
-            .filter(|piece| {
-                let foot = piece.capsule.segment.project_local_point(Vector::ZERO, true).point;
-                foot.length() - piece.capsule.radius <= reach
             })
             .collect();
         let boxes: Vec<Aabb> = pieces.iter().map(|piece| around(&piece.capsule)).collect();

@@ -15,6 +15,8 @@ SCENES = 500
 STEPS = 10_000
 #: What may be left between the arm and what it touches, in metres.
 LEFT = 1e-6
+#: The share of the way to which contact is found, and what is contact, in metres, for rounding.
+PRECISION, TOUCH = 1e-9, 2e-13
 #: Samples of the oracle are this far apart at most in the share of the way, plus rounding.
 STEP = 1 / STEPS + 1e-12
 
@@ -49,12 +51,10 @@ def test_random_scenes_against_small_steps(first_contacts):
     grazes = 0
     for each, found in first_contacts:
         progress = float(each.arm.progress(each.command))
-        assert 0 <= progress <= 1
         last = 1.0 if found is None else found
         assert progress <= last, each
-        if progress < 1:
-            assert 0 <= contact.clearance(each.arm, progress * each.command) < LEFT, each
-        # Where it stopped at what the steps stepped over, the line above has been all.
+        # All that there is to say where it stopped at what the steps stepped over.
+        holds_the_laws(each)
         grazes += progress < last - (0 if found is None else STEP)
     assert grazes <= SCENES // 50
 
@@ -69,8 +69,9 @@ def test_where_it_stops_is_where_posture_and_effect_are(first_contacts):
 
 
 def holds_the_laws(each):
-    """Check that the arm is clear where it stopped and before, and not much farther."""
+    """Check that the arm is clear where it stopped and before, and touches 1e-9 of the way on."""
     progress = float(each.arm.progress(each.command))
+    assert 0 <= progress <= 1
     posture = each.arm.posture(each.command)
     left = contact.clearances(each.arm, posture[None]).min()
     assert left >= 0
@@ -79,6 +80,8 @@ def holds_the_laws(each):
     assert (contact.clearance(each.arm, np.outer(before, each.command)) > 0).all()
     if progress < 1:
         assert left < LEFT
+        after = min(1.0, progress + PRECISION)
+        assert contact.clearance(each.arm, after * each.command) <= TOUCH
     return progress
 
 

@@ -51,6 +51,10 @@ PLACES = without(NUMBERS, "an array") | {"three": [1.0, 1.0, 1.0], "rows": [[1.0
 EDGES = PLACES | {"zero": 0.0, "below zero": -0.1, "one is zero": [1.0, 0.0]}
 SHARE = NUMBERS | {"below zero": -1e-9, "above one": 1 + 1e-9}
 STRICT_SHARE = NUMBERS | {"zero": 0.0, "below zero": -0.1, "one": 1.0, "above one": 1.5}
+WAYS = without(POINTS, "too deep")
+NOT_THICK = NUMBERS | {"below zero": -0.1}
+NOT_OBSTACLES = {"a number": 5, "None": None, "a disc alone": db.Disc([0, 1], 0.1), "texts": ["a"]}
+NOT_FLAGS = {"a number": 1, "None": None, "text": "yes"}
 FROM_1 = COUNTS | {"zero": 0}
 CELLS = without(FROM_1, "a list", "an array", "an array of one") | {
     "None": None,
@@ -98,6 +102,21 @@ def bandit(**part):
 TABLE = [
     ("PlanarArm", "joints", FROM_1 | HUGE | NONE, lambda _, x: db.PlanarArm(x)),
     ("PlanarArm", "joints", {"many": 10**12}, lambda _, x: db.PlanarArm(x, limit=1e-9)),
+    ("PlanarArm", "thickness", POSITIVE, lambda _, x: db.PlanarArm(2, thickness=x)),
+    ("PlanarArm", "obstacles", NOT_OBSTACLES, lambda _, x: db.PlanarArm(2, obstacles=x)),
+    ("PlanarArm", "self_contact", NOT_FLAGS, lambda _, x: db.PlanarArm(2, self_contact=x)),
+    ("PlanarArm.progress", "command", POINTS, lambda _, x: db.PlanarArm(2).progress(x)),
+    ("PlanarArm.follow", "trajectory", WAYS, lambda _, x: db.PlanarArm(2).follow(x)),
+    ("PushArm", "ball", POINTS, lambda _, x: db.PushArm(2, ball=x)),
+    ("PushArm", "ball_radius", POSITIVE, lambda _, x: db.PushArm(2, ball_radius=x)),
+    ("Disc", "center", POINTS, lambda _, x: db.Disc(x, 0.1)),
+    ("Disc", "radius", POSITIVE, lambda _, x: db.Disc([0, 0], x)),
+    ("Rectangle", "low", POINTS, lambda _, x: db.Rectangle(x, [1, 1])),
+    ("Rectangle", "high", POINTS, lambda _, x: db.Rectangle([-1, -1], x)),
+    ("Polygon", "points", ROWS, lambda _, x: db.Polygon(x)),
+    ("Wall", "start", POINTS, lambda _, x: db.Wall(x, [1, 1])),
+    ("Wall", "end", POINTS, lambda _, x: db.Wall([1, 1], x)),
+    ("Wall", "thickness", NOT_THICK, lambda _, x: db.Wall([0, 0], [1, 1], thickness=x)),
     ("PlanarArm", "limit", POSITIVE | {"1e7": 1e7}, lambda _, x: db.PlanarArm(2, limit=x)),
     ("arm()", "command", BATCH | BEYOND, lambda w, x: w.arm(x)),
     ("arm.posture", "command", POINTS | BEYOND, lambda w, x: w.arm.posture(x)),

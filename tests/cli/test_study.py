@@ -6,8 +6,9 @@ import pytest
 
 from divbandit.cli import main
 from divbandit.paper import setting
-from divbandit.studies import composition, rules, strategies
+from divbandit.studies import composition, environments, rules, strategies
 from divbandit.studies.study import STUDIES
+from divbandit.studies.worlds import worlds
 
 SMALL = ["--repetitions", "2", "--steps", "200"]
 
@@ -23,7 +24,10 @@ def made(tmp_path_factory):
 
 def test_every_study_leaves_its_files(made):
     names = {path.name for path in made.iterdir()}
-    assert names == {f"{name}.{kind}" for name in STUDIES for kind in ("png", "svg", "csv")}
+    one = set(STUDIES) - {"environments"}
+    drawn = one | {f"environments_{world.name.replace(' ', '_').lower()}" for world in worlds()}
+    figures = {f"{stem}.{kind}" for stem in drawn for kind in ("png", "svg")}
+    assert names == figures | {f"{name}.csv" for name in STUDIES}
 
 
 @pytest.mark.parametrize(
@@ -32,6 +36,7 @@ def test_every_study_leaves_its_files(made):
         ("rules", rules.explorations(2)),
         ("strategies", strategies.explorations(2)),
         ("composition", 3 * composition.explorations(2)),
+        ("environments", environments.explorations(2)),
     ],
 )
 def test_the_table_of_numbers_has_every_exploration(made, name, count):

@@ -76,3 +76,28 @@ def test_it_explores():
 
 def test_its_repr_names_the_function():
     assert "swap" in repr(db.FunctionEnvironment(swap, SQUARE))
+
+
+def test_a_function_of_scalars_gets_plain_floats():
+    seen = []
+
+    def wave(x, y):
+        seen.append((type(x), type(y)))
+        return x * y
+
+    wave = db.FunctionEnvironment(wave, db.Box([-1, -1], [1, 1]), scalars=True)
+    assert wave([[0.5, 0.5], [1, -1]]).tolist() == [[0.25], [-1.0]]
+    assert set(seen) == {(float, float)}
+    assert repr(wave).endswith("scalars=True)")
+    several = db.FunctionEnvironment(lambda x: (x, -x), db.Box([0], [1]), scalars=True)
+    assert several([0.5]).tolist() == [0.5, -0.5]
+
+
+def test_a_single_number_is_an_effect_of_one_dimension():
+    total = db.FunctionEnvironment(lambda x: x.sum(), db.Box([0, 0], [1, 1]), db.Box([0], [2]))
+    assert total([0.5, 1.0]).tolist() == [1.5]
+
+
+def test_scalars_must_be_true_or_false():
+    with pytest.raises(TypeError, match="scalars must be True or False"):
+        db.FunctionEnvironment(abs, db.Box([0], [1]), scalars=1)

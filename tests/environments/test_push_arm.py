@@ -1,4 +1,4 @@
-"""PushArm: laws of pushing over a thousand runs, cases worked out by hand, the contract of arms."""
+"""PushArm: laws of pushing over a thousand runs, cases worked out by hand, what arms promise."""
 
 import math
 import pickle
@@ -111,8 +111,8 @@ def test_a_thousand_runs():
 
 
 def test_one_link_pushes_a_ball_out_along_its_side():
-    # Displaced along the link's normal alone, a ball at the place radial * u + offset * n, where u is
-    # the link's direction, has d(radial) = offset * d(angle).
+    # Displaced along the link's normal alone, a ball at radial * u + offset * n, where u is the
+    # link's direction, has d(radial) = offset * d(angle).
     arm = db.PushArm(1, thickness=0.02, ball=[0.3, 0.3], ball_radius=0.04)
     offset, distance = 0.05, math.hypot(0.3, 0.3)
     touch = math.atan2(0.3, 0.3) - math.asin(offset / distance)

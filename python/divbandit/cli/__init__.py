@@ -69,13 +69,16 @@ def _parser() -> argparse.ArgumentParser:
     reproduce.set_defaults(run=_reproduce)
     study = commands.add_parser(
         "study",
-        help="compare bandits, numbers of strategies or compositions",
-        description="Make a study: its figure as PNG and SVG, a CSV of all its numbers, and a "
+        help="compare bandits, numbers of strategies, compositions or environments",
+        description="Make a study: its figures as PNG and SVG, a CSV of all its numbers, and a "
         "table of the means. rules: every bandit in the settings of the paper's figure 4. "
         "strategies: bandits over 2 to 64 strategies. composition: the library's own against the "
-        "paper's, and with one part less.",
+        "paper's, and with one part less. environments: ADAPT, its parts and their mixtures among "
+        "obstacles and where a ball is pushed.",
     )
-    study.add_argument("name", choices=("rules", "strategies", "composition"), help="which")
+    study.add_argument(
+        "name", choices=("rules", "strategies", "composition", "environments"), help="which"
+    )
     _add_options(study, out="studies", jobs="processes")
     study.add_argument(
         "--steps",

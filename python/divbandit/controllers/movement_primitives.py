@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 #: The spring of the transformation system, with the damper that makes it critically damped.
 _ALPHA, _BETA = 25.0, 6.25
-#: How far the phase has decayed in the end, and what one basis function leaves at the next's centre.
+#: How far the phase has decayed in the end, and what a bump leaves at the next one's centre.
 _LAST_PHASE, _OVERLAP = 0.01, 0.8
 #: The equation of motion is integrated in at least so many steps.
 _FINE = 1000
@@ -100,6 +100,7 @@ class MovementPrimitives:
         of_one = [self.weights] * self.basis + ([] if self.goals is None else [self.goals])
         highest = np.tile(of_one, self.dofs)
         self.motor_space = Box(-highest, highest)
+        self._width = len(of_one)
         raw = _responses(self.basis, self.steps)
         peaks = np.abs(raw).max(axis=1)
         self.scales = 1.0 / peaks
@@ -131,7 +132,7 @@ class MovementPrimitives:
         (2, 11, 2)
         """
         commands = self.motor_space.bounds.commands(command)
-        parts = commands.reshape(*commands.shape[:-1], 1, self.dofs, -1)
+        parts = commands.reshape(*commands.shape[:-1], 1, self.dofs, self._width)
         rows = np.broadcast_to(self.start, (*commands.shape[:-1], self.steps + 1, self.dofs))
         # One product and one sum at a time, in this order: a matrix product would be worked out in
         # another order by another CPU.

@@ -5,7 +5,7 @@ from divbandit.environments.controlled import Controlled
 from divbandit.environments.function import FunctionEnvironment
 from divbandit.environments.obstacles import Disc, Polygon, Rectangle, Wall
 from divbandit.environments.planar_arm import PlanarArm
-from divbandit.environments.process import ProcessEnvironment, ProgramError
+from divbandit.environments.process import ProcessEnvironment
 from divbandit.environments.push_arm import PushArm
 
 __all__ = [
@@ -16,7 +16,6 @@ __all__ = [
     "PlanarArm",
     "Polygon",
     "ProcessEnvironment",
-    "ProgramError",
     "PushArm",
     "Rectangle",
     "Wall",

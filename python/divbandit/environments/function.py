@@ -105,7 +105,9 @@ class FunctionEnvironment:
 
     def _effect(self, command: NDArray[np.float64], length: int | None) -> NDArray[np.float64]:
         effect = self._f(*command.tolist()) if self._scalars else self._f(command)
-        return as_point("effect", [effect] if np.ndim(effect) == 0 else effect, length)
+        if isinstance(effect, (int, float, np.number)) and not isinstance(effect, bool):
+            return as_point("effect", np.array([effect]), length)
+        return as_point("effect", effect, length)
 
     def __repr__(self) -> str:
         name = getattr(self._f, "__name__", repr(self._f))

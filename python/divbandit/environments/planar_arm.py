@@ -233,10 +233,7 @@ class PlanarArm:
         >>> arm([0.9, 0.3]).round(6)
         array([0.865725, 0.495   ])
         """
-        if np.ndim(trajectory) != 3:
-            return self._moving.follow(trajectory)
-        tips = [self._moving.follow(each) for each in np.asarray(trajectory)]
-        return np.stack(tips) if tips else np.empty((0, 2))
+        return each_followed(self._moving, trajectory)
 
     def _describe(self, description: Description) -> tuple[int, int]:
         if self._free:
@@ -255,6 +252,27 @@ class PlanarArm:
     def __reduce__(self) -> tuple[object, ...]:
         kept = (self.joints, self.limit, self.thickness, self.obstacles, self.self_contact)
         return _rebuild, kept
+
+
+def each_followed(
+    arm: _core.ObstructedArm | _core.PushArm, trajectory: ArrayLike
+) -> NDArray[np.float64]:
+    """Return the effect of following one trajectory, or those of following many.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> each_followed(db.PlanarArm(2)._moving, [[[0, 0], [1, 0]], [[0, 0], [0, 0]]]).shape
+    (2, 2)
+    """
+    try:
+        many = np.ndim(trajectory) == 3
+    except ValueError:  # ragged: the arm says so
+        many = False
+    if not many:
+        return arm.follow(trajectory)
+    effects = [arm.follow(each) for each in np.asarray(trajectory)]
+    return np.stack(effects) if effects else np.empty((0, 2))
 
 
 def _rebuild(

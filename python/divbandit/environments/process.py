@@ -24,10 +24,6 @@ if TYPE_CHECKING:
 _SHOWN = 500
 
 
-class ProgramError(RuntimeError):
-    """A program that failed, or whose output is no effect."""
-
-
 class ProcessEnvironment:
     """A program: the motor command goes onto its command line, the effect comes out as JSON.
 
@@ -82,7 +78,7 @@ class ProcessEnvironment:
         if not self.command_line:
             raise ValueError("command_line must not be empty")
         for index, word in enumerate(self.command_line):
-            if not isinstance(word, str) or "\0" in word:
+            if type(word) is not str or "\0" in word:
                 raise TypeError(
                     f"command_line[{index}] must be a text without zero bytes, got {word!r}"
                 )
@@ -111,7 +107,7 @@ class ProcessEnvironment:
         TypeError, ValueError
             If a command is no point of the motor space, or the program's output no finite point of
             the sensory space.
-        ProgramError
+        RuntimeError
             If the program fails, or its output is no JSON, or has no such entry.
         TimeoutError
             If it takes too long.
@@ -129,7 +125,7 @@ class ProcessEnvironment:
         >>> program([1.0])
         Traceback (most recent call last):
             ...
-        divbandit.environments.process.ProgramError: the program ended with status 1: ...
+        RuntimeError: the program ended with status 1: ...
         """
         commands = self.motor_space.bounds.commands(command)
         length = None if self.sensory_space is None else self.sensory_space.dim
@@ -151,32 +147,30 @@ class ProcessEnvironment:
             stderr=subprocess.PIPE,
             start_new_session=True,
         )
-        with process:
-            try:
-                out, err = process.communicate(timeout=self.timeout)
-            except subprocess.TimeoutExpired:
+        try:
+            out, err = process.communicate(timeout=self.timeout)
+        except BaseException as error:
+            _end(process)
+            if isinstance(error, subprocess.TimeoutExpired):
                 raise TimeoutError(
                     f"the program must end within timeout = {self.timeout!r} s, it has not"
                 ) from None
-            finally:
-                # Whatever has happened, a Ctrl-C for one, nothing of it goes on.
-                with contextlib.suppress(ProcessLookupError, PermissionError):
-                    os.killpg(process.pid, signal.SIGKILL)
+            raise
         if process.returncode != 0:
             told = err.decode(errors="replace").strip()[-_SHOWN:]
-            raise ProgramError(f"the program ended with status {process.returncode}: {told}")
+            raise RuntimeError(f"the program ended with status {process.returncode}: {told}")
         return self._effect_of(out.decode(errors="replace"))
 
     def _effect_of(self, text: str) -> Any:  # noqa: ANN401
         try:
             effect = json.loads(text)
         except ValueError:
-            raise ProgramError(
+            raise RuntimeError(
                 f"the program must write JSON to its standard output, got {text[:_SHOWN]!r}"
             ) from None
         if self.entry is not None:
             if not isinstance(effect, dict) or self.entry not in effect:
-                raise ProgramError(
+                raise RuntimeError(
                     f"the program must write a JSON object with {self.entry!r}, "
                     f"got {text[:_SHOWN]!r}"
                 )
@@ -189,3 +183,13 @@ class ProcessEnvironment:
             f"ProcessEnvironment({self.command_line!r}, {self.motor_space!r}, "
             f"{self.sensory_space!r}, timeout={self.timeout!r}, entry={self.entry!r})"
         )
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    """Kill a program and what it has started, a Ctrl-C having come perhaps; leave nothing open."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    for pipe in (process.stdout, process.stderr):
+        if pipe is not None:
+            pipe.close()

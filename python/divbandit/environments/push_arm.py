@@ -10,7 +10,7 @@ import numpy as np
 from divbandit import _core
 from divbandit._checks import real
 from divbandit.box import Box
-from divbandit.environments.planar_arm import PlanarArm
+from divbandit.environments.planar_arm import PlanarArm, each_followed
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -242,10 +242,7 @@ class PushArm(PlanarArm):
         >>> db.PushArm(2).follow([[0, 0], [0.2, 0], [0, 0]])
         array([-0.5,  0.3])
         """
-        if np.ndim(trajectory) != 3:
-            return self._pushing.follow(trajectory)
-        ends = [self._pushing.follow(each) for each in np.asarray(trajectory)]
-        return np.stack(ends) if ends else np.empty((0, 2))
+        return each_followed(self._pushing, trajectory)
 
     def _describe(self, description: Description) -> tuple[int, int]:
         return description.engine.push_arm(self._pushing)

@@ -1,4 +1,4 @@
-"""environments: ADAPT, its parts alone and their mixtures, in five black boxes."""
+"""environments: ADAPT, its parts alone and their mixtures, in several black boxes."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from divbandit.bandits import Adapt, default_strategy
+from divbandit.environments import PlanarArm
 from divbandit.paper import setting
 from divbandit.plot import ranking, scene, spread, style
 from divbandit.strategies import GoalBabbling, Mixture, MotorBabbling
@@ -155,7 +156,7 @@ def _figure(world: World, found: dict[str, Row]) -> Figure:
         effects = found[name].example
         if effects is not None:
             spread(effects, tau=world.tau, unit="m", ax=ax)
-        if hasattr(world.environment, "obstacles"):
+        if isinstance(world.environment, PlanarArm):
             scene(world.environment, unit="m", ax=ax)
         space = world.environment.sensory_space
         if space is not None:

@@ -1,4 +1,4 @@
-"""Worlds: five black boxes in which strategies differ."""
+"""Worlds: black boxes in which strategies differ."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit.environments import Disc, PlanarArm, Polygon, PushArm, Rectangle, Wall
-from divbandit.environments.mujoco import pusher
 
 if TYPE_CHECKING:
     from divbandit.environments import Environment
@@ -34,19 +33,18 @@ class World:
 
 
 def worlds() -> list[World]:
-    """Return the five: empty space first, physics last.
+    """Return them: empty space first.
 
     Examples
     --------
     >>> [world.name for world in worlds()]
-    ['empty space', 'corridor', 'cluttered room', 'pushing', 'MuJoCo Pusher']
+    ['empty space', 'corridor', 'cluttered room', 'pushing']
     """
     return [
         World("empty space", PlanarArm(20)),
         World("corridor", PlanarArm(20, obstacles=corridor())),
         World("cluttered room", PlanarArm(20, obstacles=clutter())),
         World("pushing", PushArm(7)),
-        World("MuJoCo Pusher", pusher(), costs=10),
     ]
 
 

@@ -16,6 +16,9 @@ use super::scene::Scene;
 /// The share of the way to which contact is found.
 pub(crate) const PRECISION: f64 = 1e-9;
 
+/// What a link that stops could still go, in metres: a fast one is told more precisely than that share.
+const NEARNESS: f64 = 5e-7;
+
 /// Where a chain had to stop, and why.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stop {
@@ -72,7 +75,8 @@ impl Sweep {
             }
             chain.place(share, link + 1);
             let (open, met) = self.open(chain, link, end - share, other);
-            if open <= PRECISION && met.is_some() {
+            let is_near = || Moving::new(chain, link).reach(open) <= NEARNESS;
+            if open <= PRECISION && met.is_some() && is_near() {
                 return Stop { share, met };
             }
             safe[link] = share + open;

@@ -1,0 +1,165 @@
+"""ProcessEnvironment: real programs, good and bad ones."""
+
+import os
+import signal
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import divbandit as db
+
+SPACE = db.Box([-1, -1], [1, 1])
+
+
+def program(code, **options):
+    words = [sys.executable, "-S", "-c", f"import json, os, sys, time; {code}"]
+    return db.ProcessEnvironment(words, SPACE, **{"timeout": 60.0} | options)
+
+
+ECHO = "print([float(x) for x in sys.argv[1:]])"
+
+
+def test_numbers_come_back_to_the_bit():
+    echo = program(ECHO)
+    commands = np.array([[0.1, -1 / 3], [1e-300, -5e-324], [1.0, -1.0]])
+    np.testing.assert_array_equal(echo(commands), commands)
+    np.testing.assert_array_equal(echo(commands[0]), commands[0])
+    assert echo(commands[:0]).shape == (0, 0)
+
+
+def test_a_number_and_an_entry_are_effects():
+    assert program("print(float(sys.argv[1]) * 2)")([0.25, 0]).tolist() == [0.5]
+    assert program('print(json.dumps({"y": 3, "z": 4}))', entry="z")([0, 0]).tolist() == [4.0]
+
+
+def test_words_are_no_shell():
+    words = [sys.executable, "-S", "-c", "import sys; print(len(sys.argv))", "$HOME; a  b", "*"]
+    assert db.ProcessEnvironment(words, SPACE)([0, 0]).tolist() == [5.0]
+
+
+@pytest.mark.parametrize(
+    ("code", "error", "says"),
+    [
+        ("print('no json')", RuntimeError, "must write JSON to its standard output, got 'no"),
+        ("pass", RuntimeError, "must write JSON to its standard output, got ''"),
+        ("sys.exit('it is on fire')", RuntimeError, "status 1: it is on fire"),
+        ("os.abort()", RuntimeError, "status -6"),
+        ("print('[1, NaN]')", ValueError, r"effect\[1\] must be finite"),
+        ("print([])", ValueError, "effect must not be empty"),
+        ("print('[true]')", TypeError, "effect must be an array of real numbers"),
+        ("print('true')", TypeError, "effect must be an array of real numbers"),
+        ("print('{}')", TypeError, "effect must be an array of real numbers"),
+        ("print([[1, 2]])", ValueError, "effect must have shape"),
+    ],
+)
+def test_bad_programs(code, error, says):
+    with pytest.raises(error, match=says):
+        program(code)([0, 0])
+
+
+def test_a_missing_entry_is_named():
+    with pytest.raises(RuntimeError, match="JSON object with 'y', got '3"):
+        program("print(3)", entry="y")([0, 0])
+
+
+def test_a_missing_program_is_said():
+    with pytest.raises(FileNotFoundError):
+        db.ProcessEnvironment(["/nowhere/at/all"], SPACE)([0, 0])
+
+
+def test_an_effect_of_another_dimension_is_refused():
+    echo = program(ECHO, sensory_space=db.Box([0], [1]))
+    with pytest.raises(ValueError, match=r"effect must have shape \(1,\)"):
+        echo([0, 0])
+
+
+def alive(pid):
+    """Whether a process is there and has not ended."""
+    try:
+        with open(f"/proc/{pid}/stat", encoding="utf-8") as file:  # noqa: PTH123
+            return file.read().rsplit(")", 1)[1].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+def gone(pid):
+    """Wait until a process has ended."""
+    deadline = time.monotonic() + 30
+    while alive(pid) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    return not alive(pid)
+
+
+def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
+    code = (
+        "import subprocess; child = subprocess.Popen(['sleep', '600']); "
+        "open(sys.argv[1], 'w').write(f'{os.getpid()} {child.pid}'); time.sleep(600)"
+    )
+    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pids")]
+    slow = db.ProcessEnvironment(words, SPACE, timeout=3.0)
+    with pytest.raises(TimeoutError, match=r"within timeout = 3.0 s"):
+        slow([0, 0])
+    pids = [int(pid) for pid in (tmp_path / "pids").read_text(encoding="utf-8").split()]
+    assert len(pids) == 2
+    assert all(gone(pid) for pid in pids)
+
+
+def test_an_interrupted_evaluation_leaves_nothing(tmp_path):
+    code = "open(sys.argv[1], 'w').write(str(os.getpid())); time.sleep(600)"
+    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pid")]
+    slow = db.ProcessEnvironment(words, SPACE)
+
+    def interrupt():
+        while not (tmp_path / "pid").is_file() or not (tmp_path / "pid").read_text():
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        thread.start()
+        with pytest.raises(KeyboardInterrupt):
+            slow([0, 0])
+    finally:
+        thread.join()
+        signal.signal(signal.SIGINT, before)
+    assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))
+
+
+def test_several_at_once_and_failures_survived():
+    code = "x = float(sys.argv[1]); print([x, x * x]) if x > -0.5 else sys.exit(3)"
+    risky = program(code, sensory_space=db.Box([-1, 0], [1, 1]))
+    with ThreadPoolExecutor(4) as executor:
+        run = db.explore(risky, db.MotorBabbling(), 24, rng=0, executor=executor, in_flight=4)
+    assert len(run.effects) + len(run.failures) == 24
+    assert 0 < len(run.failures) < 24
+    np.testing.assert_array_equal(run.effects[:, 0], run.commands[:, 0])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "says"),
+    [
+        (("sleep 1", SPACE), TypeError, "command_line must be a list of words"),
+        (([], SPACE), ValueError, "command_line must not be empty"),
+        ((["a", 1], SPACE), TypeError, r"command_line\[1\] must be a text"),
+        ((["a\0"], SPACE), TypeError, r"command_line\[0\] must be a text"),
+        ((["a"], None), TypeError, "motor_space"),
+    ],
+)
+def test_what_is_refused(arguments, error, says):
+    with pytest.raises(error, match=says):
+        db.ProcessEnvironment(*arguments)
+    for timeout in (0, -1, float("nan")):
+        with pytest.raises(ValueError, match="timeout must be"):
+            db.ProcessEnvironment(["a"], SPACE, timeout=timeout)
+    with pytest.raises(TypeError, match="entry must be a text"):
+        db.ProcessEnvironment(["a"], SPACE, entry=1)
+
+
+def test_the_output_may_be_long():
+    long = program("print(json.dumps([0.5] * 200000))")
+    assert long([0, 0]).shape == (200000,)

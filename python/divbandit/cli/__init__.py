@@ -73,8 +73,8 @@ def _parser() -> argparse.ArgumentParser:
         description="Make a study: its figures as PNG and SVG, a CSV of all its numbers, and a "
         "table of the means. rules: every bandit in the settings of the paper's figure 4. "
         "strategies: bandits over 2 to 64 strategies. composition: the library's own against the "
-        "paper's, and with one part less. environments: ADAPT, its parts and their mixtures among "
-        "obstacles and where a ball is pushed.",
+        "paper's, and with one part less. environments: ADAPT, its parts and their mixtures in "
+        "five black boxes (the last needs 'divbandit[mujoco]').",
     )
     study.add_argument(
         "name", choices=("rules", "strategies", "composition", "environments"), help="which"

@@ -2,7 +2,9 @@
 
 from divbandit.environments.base import Environment
 from divbandit.environments.controlled import Controlled
+from divbandit.environments.episode import Episode
 from divbandit.environments.function import FunctionEnvironment
+from divbandit.environments.gymnasium import GymnasiumEnvironment
 from divbandit.environments.obstacles import Disc, Polygon, Rectangle, Wall
 from divbandit.environments.planar_arm import PlanarArm
 from divbandit.environments.process import ProcessEnvironment
@@ -12,7 +14,9 @@ __all__ = [
     "Controlled",
     "Disc",
     "Environment",
+    "Episode",
     "FunctionEnvironment",
+    "GymnasiumEnvironment",
     "PlanarArm",
     "Polygon",
     "ProcessEnvironment",

@@ -8,6 +8,7 @@ import numpy as np
 
 from divbandit._core import as_point
 from divbandit.box import Box, BoxLike
+from divbandit.controllers import Trajectories
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -31,26 +32,6 @@ class Body(Protocol):
 
     def follow(self, trajectory: NDArray[np.float64], /) -> ArrayLike:
         """Return the effect, shape (s,), of following a trajectory of shape (steps, dofs)."""
-
-
-@runtime_checkable
-class Trajectories(Protocol):
-    """What turns a motor command into a trajectory, as `MovementPrimitives` does.
-
-    Examples
-    --------
-    >>> import divbandit as db
-    >>> from divbandit.environments.controlled import Trajectories
-    >>> isinstance(db.MovementPrimitives(3), Trajectories)
-    True
-    """
-
-    @property
-    def motor_space(self) -> BoxLike:
-        """M, the box of all motor commands."""
-
-    def trajectory(self, command: NDArray[np.float64], /) -> ArrayLike:
-        """Return the trajectory, shape (steps, dofs), of a command of shape (m,)."""
 
 
 class Controlled:

@@ -1,4 +1,4 @@
-"""environments: ADAPT, its parts alone and their mixtures, in several black boxes."""
+"""environments: ADAPT, its parts alone and their mixtures, in five black boxes."""
 
 from __future__ import annotations
 
@@ -173,6 +173,7 @@ def _figure(world: World, found: dict[str, Row]) -> Figure:
         ax=axes[2],
     )
     axes[2].set_title(f"(c) {world.name}")
+    axes[2].legend(loc="upper left", frameon=False)
     return figure
 
 

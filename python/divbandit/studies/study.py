@@ -38,7 +38,8 @@ def study(
     ``"rules"`` has every bandit of the library in the three settings of the paper's figure 4,
     ``"strategies"`` takes some of them to 2 to 64 strategies, ``"composition"`` compares the
     library's own composition with the paper's and with itself less one part. ``"environments"``
-    has ADAPT, its parts and their mixtures among obstacles and where a ball is pushed.
+    has ADAPT, its parts and their mixtures in five black boxes, one of them MuJoCo's Pusher, which
+    needs ``pip install 'divbandit[mujoco]'``.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Worlds: black boxes in which strategies differ."""
+"""Worlds: five black boxes in which strategies differ."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit.environments import Disc, PlanarArm, Polygon, PushArm, Rectangle, Wall
+from divbandit.environments.mujoco import pusher
 
 if TYPE_CHECKING:
     from divbandit.environments import Environment
@@ -33,18 +34,19 @@ class World:
 
 
 def worlds() -> list[World]:
-    """Return them: empty space first.
+    """Return them, empty space first; needs ``pip install 'divbandit[mujoco]'``.
 
     Examples
     --------
     >>> [world.name for world in worlds()]
-    ['empty space', 'corridor', 'cluttered room', 'pushing']
+    ['empty space', 'corridor', 'cluttered room', 'pushing', 'MuJoCo Pusher']
     """
     return [
         World("empty space", PlanarArm(20)),
         World("corridor", PlanarArm(20, obstacles=corridor())),
         World("cluttered room", PlanarArm(20, obstacles=clutter())),
         World("pushing", PushArm(7)),
+        World("MuJoCo Pusher", pusher(), tau=0.01, costs=20),
     ]
 
 

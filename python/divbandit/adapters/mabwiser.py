@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from divbandit.adapters._library import library, seed_from
+from divbandit._library import library, seed_from
 from divbandit.bandits.rules.rewards import Rewards
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ import threading
 from typing import TYPE_CHECKING
 
 from divbandit._checks import real
-from divbandit.adapters._library import library, named, seed_from
+from divbandit._library import library, named, seed_from
 from divbandit.bandits import CoverageGain, Credit, FunctionCredit
 from divbandit.strategies.base import Strategy, Trial
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from divbandit._checks import one_of, real, whole
-from divbandit.adapters._library import library, named, seed_from
+from divbandit._library import library, named, seed_from
 from divbandit.adapters.batch import Batch, OfBatch, Report
 from divbandit.box import Box
 from divbandit.strategies.base import Strategy, Trial

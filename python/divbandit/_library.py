@@ -1,4 +1,4 @@
-"""What every adapter does with its library: find it, seed it, name what it was given."""
+"""What is done with every library that one may do without: find it, seed it, name its parts."""
 
 from __future__ import annotations
 

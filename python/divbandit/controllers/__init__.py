@@ -1,0 +1,9 @@
+"""Controllers: what turns a motor command into what drives a body."""
+
+from divbandit.controllers.function import FunctionController
+from divbandit.controllers.open_loop import OpenLoop
+from divbandit.controllers.protocol import Controller, Trajectories
+from divbandit.controllers.tracking import Tracking
+from divbandit.controllers.via_points import ViaPoints
+
+__all__ = ["Controller", "FunctionController", "OpenLoop", "Tracking", "Trajectories", "ViaPoints"]

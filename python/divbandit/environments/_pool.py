@@ -1,0 +1,97 @@
+"""Pool: things that take long to make and serve one user at a time, kept for the next."""
+
+from __future__ import annotations
+
+import threading
+from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, Generic, Protocol, TypeVar
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+
+class _Closes(Protocol):
+    def close(self) -> object: ...
+
+
+T = TypeVar("T", bound=_Closes)
+
+
+class Pool(Generic[T]):
+    """Things that nobody uses at the moment; there are as many as were ever used at once.
+
+    Parameters
+    ----------
+    make : callable
+        Makes one.
+
+    Examples
+    --------
+    >>> from io import StringIO
+    >>> pool = Pool(StringIO)
+    >>> with pool.borrow() as first, pool.borrow() as second:
+    ...     first is second
+    False
+    >>> with pool.borrow() as again:
+    ...     again in (first, second)
+    True
+    >>> pool.close()
+    >>> first.closed, second.closed
+    (True, True)
+    """
+
+    def __init__(self, make: Callable[[], T]) -> None:
+        self._make = make
+        self._lock = threading.Lock()
+        self._idle: list[T] = []
+        self._era = 0  # how often it was closed
+
+    @contextmanager
+    def borrow(self) -> Iterator[T]:
+        """Lend one that nobody uses, or a new one; one that something went wrong with is closed.
+
+        Examples
+        --------
+        >>> from io import StringIO
+        >>> pool = Pool(StringIO)
+        >>> with pool.borrow() as text:
+        ...     text.write("hello")
+        5
+        """
+        with self._lock:
+            era = self._era
+            lent = self._idle.pop() if self._idle else None
+        if lent is None:
+            lent = self._make()
+        try:
+            yield lent
+        except BaseException:
+            with suppress(Exception):  # what went wrong is more important
+                lent.close()
+            raise
+        with self._lock:
+            is_kept = era == self._era
+            if is_kept:
+                self._idle.append(lent)
+        if not is_kept:
+            lent.close()
+
+    def close(self) -> None:
+        """Close those that nobody uses, and the others when they are given back.
+
+        Examples
+        --------
+        >>> from io import StringIO
+        >>> pool = Pool(StringIO)
+        >>> with pool.borrow() as text:
+        ...     pool.close()
+        ...     text.closed
+        False
+        >>> text.closed
+        True
+        """
+        with self._lock:
+            idle, self._idle = self._idle, []
+            self._era += 1
+        for one in idle:
+            one.close()

@@ -327,7 +327,7 @@ impl Way<'_> {
             add(&chain.link(link), self.sweep.radius + radius);
         }
         let here = Segment::new(ball, ball);
-        self.sweep.scene.near(&here, radius + within, |piece| {
+        self.sweep.scene.near(&here, radius + within, |_, piece| {
             add(&piece.capsule.segment, piece.capsule.radius + radius);
             radius + within
         });

@@ -44,10 +44,21 @@ impl Scene {
         &self.obstacles
     }
 
+    /// The piece of this index.
+    #[inline]
+    pub fn piece(&self, index: usize) -> &Piece {
+        &self.pieces[index]
+    }
+
     /// Visits the pieces whose boxes are nearer to the box around a segment than a distance that `visit`
     /// returns anew each time; it never grows.
     #[inline]
-    pub fn near(&self, segment: &Segment, within: f64, mut visit: impl FnMut(&Piece) -> f64) {
+    pub fn near(
+        &self,
+        segment: &Segment,
+        within: f64,
+        mut visit: impl FnMut(usize, &Piece) -> f64,
+    ) {
         let (low, high) = (segment.a.min(segment.b), segment.a.max(segment.b));
         let mut square = within * within;
         self.boxes.traverse(|node: &BvhNode| {
@@ -56,7 +67,7 @@ impl Scene {
                 return TraversalAction::Prune;
             }
             if let Some(leaf) = node.leaf_data() {
-                let within = visit(&self.pieces[leaf as usize]);
+                let within = visit(leaf as usize, &self.pieces[leaf as usize]);
                 square = within * within;
             }
             TraversalAction::Continue

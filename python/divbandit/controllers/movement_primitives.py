@@ -34,6 +34,10 @@ class MovementPrimitives:
     with time from 0 to 1, alpha = 25, beta = alpha / 4 and z(t) = 0.01 ** t. This is linear in
     weights and goal: a trajectory is a sum of responses that are worked out once.
 
+    The last bumps still act in the end, and as each weight moves a joint equally far, a trajectory
+    ends beside its goal by what they leave: of five bumps the last leaves 0.84 of its weight, the
+    one before 0.58, the first three 0.17 together.
+
     Parameters
     ----------
     dofs : int
@@ -193,10 +197,9 @@ def _forces(basis: int, time: float) -> list[float]:
     centers = [exp(decay * index / (basis - 1)) for index in range(basis)]
     gaps = [after - before for before, after in pairwise(centers)]
     gaps.append(gaps[-1])
-    bumps = [
-        exp(log(_OVERLAP) * ((phase - center) / gap) ** 2)
-        for center, gap in zip(centers, gaps, strict=True)
-    ]
+    away = [(phase - center) / gap for center, gap in zip(centers, gaps, strict=True)]
+    # A product: the platform's power is not rounded alike everywhere.
+    bumps = [exp(log(_OVERLAP) * (distance * distance)) for distance in away]
     total = 0.0
     for bump in bumps:
         total += bump

@@ -84,9 +84,9 @@ def test_it_is_copied_with_all_it_has():
 @pytest.mark.parametrize(
     ("wrong", "says"),
     [
-        ({"dofs": 0}, "dofs must be at least 1"),
-        ({"basis": 1}, "basis must be at least 2"),
-        ({"steps": 0}, "steps must be at least 1"),
+        ({"dofs": 0}, "dofs must be from 1 to 10000"),
+        ({"basis": 1}, "basis must be from 2 to 1000"),
+        ({"steps": 0}, "steps must be from 1 to 100000"),
         ({"weights": -1}, "weights must be a positive"),
         ({"goals": 0}, "goals must be a positive"),
         ({"start": [0.0]}, "start must have shape"),

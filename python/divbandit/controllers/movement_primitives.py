@@ -41,11 +41,11 @@ class MovementPrimitives:
     Parameters
     ----------
     dofs : int
-        How many joints, at least 1.
+        How many joints, from 1 to 10,000.
     basis : int
-        How many weights each has, at least 2.
+        How many weights each has, from 2 to 1000.
     steps : int
-        A trajectory has ``steps + 1`` rows, evenly spaced in time.
+        A trajectory has ``steps + 1`` rows, evenly spaced in time; from 1 to 100,000.
     weights : float
         Weights lie in [-weights, weights], in the units of the joints: a weight of 1 moves a joint
         by 1 at most, when its bump has acted.
@@ -92,9 +92,9 @@ class MovementPrimitives:
         start: ArrayLike | None = None,
         limit: float | None = None,
     ) -> None:
-        self.dofs = whole("dofs", dofs, low=1)
-        self.basis = whole("basis", basis, low=2)
-        self.steps = whole("steps", steps, low=1)
+        self.dofs = whole("dofs", dofs, low=1, high=10_000)
+        self.basis = whole("basis", basis, low=2, high=1000)
+        self.steps = whole("steps", steps, low=1, high=100_000)
         self.weights = positive("weights", weights)
         self.goals = None if goals is None else positive("goals", goals)
         self.start = as_point("start", np.zeros(self.dofs) if start is None else start, self.dofs)

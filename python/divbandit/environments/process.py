@@ -82,7 +82,11 @@ class ProcessEnvironment:
     ) -> None:
         if isinstance(command_line, (str, bytes)):
             raise TypeError("command_line must be a list of words, got one text")
-        self.command_line = list(command_line)
+        try:
+            self.command_line = list(command_line)
+        except TypeError:
+            kind = type(command_line).__name__
+            raise TypeError(f"command_line must be a list of words, got {kind}") from None
         if not self.command_line:
             raise ValueError("command_line must not be empty")
         for index, word in enumerate(self.command_line):

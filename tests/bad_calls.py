@@ -21,7 +21,7 @@ from tests.bad_values import (
 from tests.world import InTurn
 
 RMB, Function, Tree = db.MotorBabbling(), db.FunctionEnvironment, db.NearestNeighbors
-Grid = db.GridCoverage
+Grid, FREE = db.GridCoverage, db.MovementPrimitives(2)
 
 
 def many(tasks):
@@ -88,7 +88,28 @@ NOT_BANDIT_PARTS = {
     "text": "ab",
     "a strategy": RMB,
 }
+NOT_BODIES = {"None": None, "a box": db.Box([0], [1]), "a class": dict, "a function": abs}
+NOT_WORDS = {
+    "None": None,
+    "a number": 5,
+    "text": "sleep 1",
+    "bytes": b"sleep",
+    "nothing": [],
+    "a number among them": ["sleep", 1],
+    "bytes among them": [b"sleep"],
+    "a zero byte": ["a\0b"],
+}
+NOT_TEXTS = {"a number": 5, "bytes": b"y", "a list": ["y"], "object": object()}
+ABOVE_0 = without(POSITIVE, "None")
 NOT_CREDITS = {"7": 7, "a class": db.bandits.Gain, "text": "ab", "a measure": Grid(1.0)}
+
+
+def primitives(**options):
+    return db.MovementPrimitives(2, **options)
+
+
+def program(**options):
+    return db.ProcessEnvironment(["a"], db.Box([0], [1]), **options)
 
 
 def bandit(**part):
@@ -123,6 +144,29 @@ TABLE = [
     ("Function", "f", {"None": None, "7": 7}, lambda w, x: Function(x, w.box)),
     ("Function", "motor_space", NOT_SPACES, lambda _, x: Function(abs, x)),
     ("Function", "sensory_space", WRONG_SPACES, lambda w, x: Function(abs, w.box, x)),
+    ("Function", "scalars", NOT_FLAGS, lambda w, x: Function(abs, w.box, scalars=x)),
+    ("Process", "command_line", NOT_WORDS, lambda w, x: db.ProcessEnvironment(x, w.box)),
+    ("Process", "motor_space", NOT_SPACES, lambda _, x: db.ProcessEnvironment(["a"], x)),
+    ("Process", "sensory_space", WRONG_SPACES, lambda _, x: program(sensory_space=x)),
+    ("Process", "timeout", ABOVE_0 | {"too long": 1e7}, lambda _, x: program(timeout=x)),
+    ("Process", "entry", NOT_TEXTS, lambda _, x: program(entry=x)),
+    ("Process()", "command", without(points(1), "empty"), lambda _, x: program()(x)),
+    ("Primitives", "dofs", FROM_1 | HUGE | NONE, lambda _, x: db.MovementPrimitives(x)),
+    ("Primitives", "basis", FROM_1 | HUGE | NONE | {"one": 1}, lambda _, x: primitives(basis=x)),
+    ("Primitives", "steps", FROM_1 | HUGE | NONE, lambda _, x: primitives(steps=x)),
+    ("Primitives", "weights", POSITIVE, lambda _, x: primitives(weights=x)),
+    ("Primitives", "goals", ABOVE_0, lambda _, x: primitives(goals=x)),
+    ("Primitives", "start", without(POINTS, "None"), lambda _, x: primitives(start=x)),
+    ("Primitives", "limit", ABOVE_0, lambda _, x: primitives(limit=x)),
+    ("trajectory", "command", points(12) | {"beyond": [1.5] * 12}, lambda _, x: FREE.trajectory(x)),
+    ("Controlled", "body", NOT_BODIES, lambda _, x: db.Controlled(x, FREE)),
+    ("Controlled", "controller", NOT_BODIES, lambda w, x: db.Controlled(w.arm, x)),
+    (
+        "Controlled()",
+        "command",
+        points(12) | {"beyond": [1.5] * 12},
+        lambda _, x: db.Controlled(db.PlanarArm(2), FREE)(x),
+    ),
     ("environment()", "command", BATCH | BEYOND, lambda w, x: w.environment(x)),
     ("Box", "low", CORNERS | {"above high": [1.5]}, lambda _, x: db.Box(x, [1.0])),
     ("Box", "low", {"empty": []}, lambda _, x: db.Box(x, x)),

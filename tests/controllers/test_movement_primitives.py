@@ -45,6 +45,12 @@ def test_a_weight_of_one_moves_a_joint_by_one():
     assert (moved[:, 0] == 0).all()
 
 
+def test_it_ends_at_its_goal_but_for_what_the_last_bumps_leave():
+    primitives = db.MovementPrimitives(1, steps=100)
+    ends = primitives.trajectory(np.eye(6))[:, -1, 0]
+    np.testing.assert_allclose(ends, [0.015, 0.027, 0.132, 0.578, 0.835, 1.0], atol=1e-3)
+
+
 def test_it_is_linear_and_joints_do_not_mix():
     primitives = db.MovementPrimitives(3, basis=4, steps=20)
     rng = np.random.default_rng(0)
@@ -78,9 +84,9 @@ def test_it_is_copied_with_all_it_has():
 @pytest.mark.parametrize(
     ("wrong", "says"),
     [
-        ({"dofs": 0}, "dofs must be at least 1"),
-        ({"basis": 1}, "basis must be at least 2"),
-        ({"steps": 0}, "steps must be at least 1"),
+        ({"dofs": 0}, "dofs must be from 1 to 10000"),
+        ({"basis": 1}, "basis must be from 2 to 1000"),
+        ({"steps": 0}, "steps must be from 1 to 100000"),
         ({"weights": -1}, "weights must be a positive"),
         ({"goals": 0}, "goals must be a positive"),
         ({"start": [0.0]}, "start must have shape"),

@@ -1,11 +1,13 @@
 """ProcessEnvironment: real programs, good and bad ones."""
 
 import os
+import pickle
 import signal
 import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -54,6 +56,11 @@ def test_words_are_no_shell():
         ("print('true')", TypeError, "effect must be an array of real numbers"),
         ("print('{}')", TypeError, "effect must be an array of real numbers"),
         ("print([[1, 2]])", ValueError, "effect must have shape"),
+        ("print('[' * 100000)", RuntimeError, r"must write JSON to its standard output, got '\[\["),
+        ("print([1]); print([2])", RuntimeError, "must write JSON"),
+        ("print('[1e400]')", ValueError, r"effect\[0\] must be finite"),
+        ("os.write(1, bytes([255]))", RuntimeError, "must write JSON"),
+        ("sys.stderr.write('x' * 10**6 + ' the end'); sys.exit(2)", RuntimeError, "x the end$"),
     ],
 )
 def test_bad_programs(code, error, says):
@@ -153,7 +160,7 @@ def test_several_at_once_and_failures_survived():
 def test_what_is_refused(arguments, error, says):
     with pytest.raises(error, match=says):
         db.ProcessEnvironment(*arguments)
-    for timeout in (0, -1, float("nan")):
+    for timeout in (0, -1, float("nan"), 1e7, 10**400):
         with pytest.raises(ValueError, match="timeout must be"):
             db.ProcessEnvironment(["a"], SPACE, timeout=timeout)
     with pytest.raises(TypeError, match="entry must be a text"):
@@ -163,3 +170,56 @@ def test_what_is_refused(arguments, error, says):
 def test_the_output_may_be_long():
     long = program("print(json.dumps([0.5] * 200000))")
     assert long([0, 0]).shape == (200000,)
+
+
+def test_output_without_end_is_refused():
+    endless = program("[os.write(1, b'[1, ' * 2**14) for _ in iter(int, 1)]", timeout=600.0)
+    with pytest.raises(RuntimeError, match=r"at most 67108864 bytes .*, beginning with '\[1, \[1"):
+        endless([0, 0])
+
+
+def test_what_closes_its_output_still_has_to_end(tmp_path):
+    code = "open(sys.argv[1], 'w').write(str(os.getpid())); os.close(1); os.close(2); "
+    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}time.sleep(600)"]
+    quiet = db.ProcessEnvironment([*words, str(tmp_path / "pid")], SPACE, timeout=2.0)
+    with pytest.raises(TimeoutError, match=r"within timeout = 2.0 s"):
+        quiet([0, 0])
+    assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))
+
+
+def test_nothing_stays_open(tmp_path):
+    def ends(name, code, **options):
+        note = f"open({str(tmp_path / name)!r}, 'w').write(str(os.getpid()))"
+        return program(f"{note}; {code}", **options)
+
+    good, bad = ends("good", ECHO), ends("bad", "sys.exit(1)")
+    slow = ends("slow", "time.sleep(600)", timeout=2.0)
+    before = {path.name for path in Path("/proc/self/fd").iterdir()}
+    good([0, 0])
+    for environment, error in ((bad, RuntimeError), (slow, TimeoutError)):
+        with pytest.raises(error):
+            environment([0, 0])
+    assert {path.name for path in Path("/proc/self/fd").iterdir()} == before
+    pids = [(tmp_path / name).read_text(encoding="utf-8") for name in ("good", "bad", "slow")]
+    # One that has ended but was not waited for would still be listed.
+    assert not any(Path("/proc", pid).exists() for pid in pids)
+
+
+def test_the_longest_time_out_is_one():
+    assert program(ECHO, timeout=1e6)([0.5, 0.25]).tolist() == [0.5, 0.25]
+
+
+def test_small_numbers_below_zero_are_no_options():
+    code = (
+        "import argparse; words = argparse.ArgumentParser(); "
+        "words.add_argument('x', type=float, nargs=2); print(words.parse_args().x)"
+    )
+    words = [sys.executable, "-S", "-c", code, "--"]
+    assert db.ProcessEnvironment(words, SPACE)([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]
+
+
+def test_it_is_copied_with_all_it_has():
+    double = program("print(json.dumps({'y': 2 * float(sys.argv[1])}))", entry="y")
+    again = pickle.loads(pickle.dumps(double))  # noqa: S301 - just written
+    assert again([0.25, 0]).tolist() == [0.5]
+    assert repr(again) == repr(double)

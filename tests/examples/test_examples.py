@@ -95,6 +95,17 @@ def test_ask_tell_robot(run):
     assert falls > 0
 
 
+def test_program(run):
+    first, last = run("program").splitlines()
+    effects, area = re.match(r"(\d+) effects cover (\d+\.\d\d)$", first).groups()
+    failed = re.match(
+        r"(\d+) failed, the last with RuntimeError: .* status 1: the motor is too hot$", last
+    )
+    assert int(effects) + int(failed[1]) == 200
+    assert 0 < int(failed[1]) < 40
+    assert 4.0 < float(area) < 36.0  # the whole box of goals has 36
+
+
 def test_dask_cluster(run):
     first, *tries = run("dask_cluster").splitlines()
     effects, area = re.match(r"(\d+) effects cover (\d\.\d\d) m2", first).groups()

@@ -34,14 +34,18 @@ class MovementPrimitives:
     with time from 0 to 1, alpha = 25, beta = alpha / 4 and z(t) = 0.01 ** t. This is linear in
     weights and goal: a trajectory is a sum of responses that are worked out once.
 
+    The last bumps still act in the end, and as each weight moves a joint equally far, a trajectory
+    ends beside its goal by what they leave: of five bumps the last leaves 0.84 of its weight, the
+    one before 0.58, the first three 0.17 together.
+
     Parameters
     ----------
     dofs : int
-        How many joints, at least 1.
+        How many joints, from 1 to 10,000.
     basis : int
-        How many weights each has, at least 2.
+        How many weights each has, from 2 to 1000.
     steps : int
-        A trajectory has ``steps + 1`` rows, evenly spaced in time.
+        A trajectory has ``steps + 1`` rows, evenly spaced in time; from 1 to 100,000.
     weights : float
         Weights lie in [-weights, weights], in the units of the joints: a weight of 1 moves a joint
         by 1 at most, when its bump has acted.
@@ -88,9 +92,9 @@ class MovementPrimitives:
         start: ArrayLike | None = None,
         limit: float | None = None,
     ) -> None:
-        self.dofs = whole("dofs", dofs, low=1)
-        self.basis = whole("basis", basis, low=2)
-        self.steps = whole("steps", steps, low=1)
+        self.dofs = whole("dofs", dofs, low=1, high=10_000)
+        self.basis = whole("basis", basis, low=2, high=1000)
+        self.steps = whole("steps", steps, low=1, high=100_000)
         self.weights = positive("weights", weights)
         self.goals = None if goals is None else positive("goals", goals)
         self.start = as_point("start", np.zeros(self.dofs) if start is None else start, self.dofs)
@@ -193,10 +197,9 @@ def _forces(basis: int, time: float) -> list[float]:
     centers = [exp(decay * index / (basis - 1)) for index in range(basis)]
     gaps = [after - before for before, after in pairwise(centers)]
     gaps.append(gaps[-1])
-    bumps = [
-        exp(log(_OVERLAP) * ((phase - center) / gap) ** 2)
-        for center, gap in zip(centers, gaps, strict=True)
-    ]
+    away = [(phase - center) / gap for center, gap in zip(centers, gaps, strict=True)]
+    # A product: the platform's power is not rounded alike everywhere.
+    bumps = [exp(log(_OVERLAP) * (distance * distance)) for distance in away]
     total = 0.0
     for bump in bumps:
         total += bump

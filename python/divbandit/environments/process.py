@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import selectors
 import signal
 import subprocess
+import time
 from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import positive
@@ -21,6 +23,10 @@ if TYPE_CHECKING:
 
 #: How much of a program's output an error shows.
 _SHOWN = 500
+#: How much a program may write to its standard output, in bytes, and how much is read at once.
+_MOST, _CHUNK = 2**26, 2**16
+#: The longest time-out, in seconds; beyond some more the system has no number for it.
+_LONGEST = 1e6
 
 
 class ProcessEnvironment:
@@ -28,19 +34,22 @@ class ProcessEnvironment:
 
     The numbers of a command follow the words of the command line, each so that it reads back as the
     same float. The program writes the effect to its standard output: a list of numbers, a single
-    number, or an object of which one entry is the effect. It is started anew each time, without a
-    shell. With threads as the executor of `explore` several run at once.
+    number, or an object of which one entry is the effect, at most 64 MiB of it. It is started anew
+    each time, without a shell. With threads as the executor of `explore` several run at once; then
+    Ctrl-C waits for those under way, where without an executor it kills the one.
 
     Parameters
     ----------
     command_line : sequence of str
-        The program and its first arguments.
+        The program and its first arguments. Many programs, those with Python's argparse among
+        them, take ``-1e-05`` for an option; let ``"--"`` be the last word for these.
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
         A box in S from which goals make sense.
     timeout : float, optional
-        After so many seconds the program, with all that it has started, is killed.
+        After so many seconds, at most a million, the program is killed, with all that it has
+        started.
     entry : str, optional
         Which entry of an object is the effect.
 
@@ -73,7 +82,11 @@ class ProcessEnvironment:
     ) -> None:
         if isinstance(command_line, (str, bytes)):
             raise TypeError("command_line must be a list of words, got one text")
-        self.command_line = list(command_line)
+        try:
+            self.command_line = list(command_line)
+        except TypeError:
+            kind = type(command_line).__name__
+            raise TypeError(f"command_line must be a list of words, got {kind}") from None
         if not self.command_line:
             raise ValueError("command_line must not be empty")
         for index, word in enumerate(self.command_line):
@@ -86,6 +99,8 @@ class ProcessEnvironment:
             None if sensory_space is None else Box.of(sensory_space, name="sensory_space")
         )
         self.timeout = None if timeout is None else positive("timeout", timeout)
+        if self.timeout is not None and self.timeout > _LONGEST:
+            raise ValueError(f"timeout must be at most {_LONGEST:.0f} seconds, got {timeout!r}")
         if entry is not None and not isinstance(entry, str):
             raise TypeError(f"entry must be a text, got {type(entry).__name__}")
         self.entry = entry
@@ -107,7 +122,7 @@ class ProcessEnvironment:
             If a command is no point of the motor space, or the program's output no finite point of
             the sensory space.
         RuntimeError
-            If the program fails, or its output is no JSON, or has no such entry.
+            If the program fails, or its output is no JSON, or too long, or has no such entry.
         TimeoutError
             If it takes too long.
         OSError
@@ -138,14 +153,13 @@ class ProcessEnvironment:
             start_new_session=True,
         )
         try:
-            out, err = process.communicate(timeout=self.timeout)
-        except BaseException as error:
+            out, err = _outputs(process, self.timeout)
+        except subprocess.TimeoutExpired:
+            raise TimeoutError(
+                f"the program must end within timeout = {self.timeout!r} s, it has not"
+            ) from None
+        finally:
             _end(process)
-            if isinstance(error, subprocess.TimeoutExpired):
-                raise TimeoutError(
-                    f"the program must end within timeout = {self.timeout!r} s, it has not"
-                ) from None
-            raise
         if process.returncode != 0:
             told = err.decode(errors="replace").strip()[-_SHOWN:]
             raise RuntimeError(f"the program ended with status {process.returncode}: {told}")
@@ -154,7 +168,7 @@ class ProcessEnvironment:
     def _effect_of(self, text: str) -> Any:  # noqa: ANN401
         try:
             effect = json.loads(text)
-        except ValueError:
+        except (ValueError, RecursionError):
             raise RuntimeError(
                 f"the program must write JSON to its standard output, got {text[:_SHOWN]!r}"
             ) from None
@@ -175,11 +189,39 @@ class ProcessEnvironment:
         )
 
 
+def _outputs(process: subprocess.Popen[bytes], timeout: float | None) -> tuple[bytes, bytes]:
+    """Return what a program writes until it ends, all of its output and the end of its errors."""
+    deadline = None if timeout is None else time.monotonic() + timeout
+    out, err = bytearray(), bytearray()
+    with selectors.DefaultSelector() as selector:
+        for pipe, kept in ((process.stdout, out), (process.stderr, err)):
+            if pipe is not None:
+                selector.register(pipe, selectors.EVENT_READ, kept)
+        while selector.get_map():
+            left = None if deadline is None else deadline - time.monotonic()
+            if timeout is not None and left is not None and left <= 0:
+                raise subprocess.TimeoutExpired(process.args, timeout)
+            for key, _ in selector.select(left):
+                read = os.read(key.fd, _CHUNK)
+                key.data.extend(read)
+                if not read:
+                    selector.unregister(key.fileobj)
+            del err[:-_CHUNK]
+            if len(out) > _MOST:
+                raise RuntimeError(
+                    f"the program must write at most {_MOST} bytes to its standard output, "
+                    f"got more, beginning with {out[:_SHOWN].decode(errors='replace')!r}"
+                )
+    process.wait(None if deadline is None else max(0.0, deadline - time.monotonic()))
+    return bytes(out), bytes(err)
+
+
 def _end(process: subprocess.Popen[bytes]) -> None:
-    """Kill a program and what it has started, a Ctrl-C having come perhaps; leave nothing open."""
-    with contextlib.suppress(ProcessLookupError, PermissionError):
-        os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
+    """Kill a program that has not ended, and what it has started; leave nothing open."""
+    if process.returncode is None:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
     for pipe in (process.stdout, process.stderr):
         if pipe is not None:
             pipe.close()

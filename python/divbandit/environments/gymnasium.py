@@ -131,7 +131,8 @@ class GymnasiumEnvironment:
                 "make must be the id of an environment or callable without arguments, "
                 f"got {type(make).__name__}"
             )
-        if not (hasattr(controller, "motor_space") and callable(getattr(controller, "begin", None))):
+        begin = getattr(controller, "begin", None)
+        if not (callable(begin) and hasattr(controller, "motor_space")):
             raise TypeError(
                 "controller must have motor_space and begin(command), "
                 f"got {type(controller).__name__}"
@@ -274,8 +275,7 @@ class GymnasiumEnvironment:
         return made(self.make)
 
     def _new_vector(self) -> Vector:
-        from divbandit.controllers import Controller
-    from divbandit.environments._vectors import Vector  # noqa: PLC0415
+        from divbandit.environments._vectors import Vector  # noqa: PLC0415
 
         alone = {**self._arguments(), "envs": 1}
         return Vector(partial(type(self), **alone), self.envs, self.vector)

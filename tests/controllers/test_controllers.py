@@ -174,7 +174,9 @@ def test_via_points_of_many_commands():
         ([0.0, 1.0], ValueError, r"primitives\.trajectory must return .*got \(2,\)"),
         (np.zeros((0, 2)), ValueError, r"primitives\.trajectory must return"),
         ([[0, 0], [0, np.nan]], ValueError, "got nan in row 1, column 1"),
-        ("ab", (TypeError, ValueError), ""),
+        ("ab", TypeError, "primitives.trajectory must return an array of numbers, got 'ab'"),
+        ([[0], [0, 1]], TypeError, "primitives.trajectory must return an array of numbers"),
+        (None, ValueError, "primitives.trajectory must return"),
     ],
 )
 def test_trajectories_that_are_none(make, rows, error, says):
@@ -238,7 +240,9 @@ def test_other_wrong_arguments(call, error, says):
 
 
 @pytest.mark.parametrize(
-    "controller", [tracking(limit=0.5, turns=True), db.OpenLoop(Ramp())], ids=lambda c: type(c).__name__
+    "controller",
+    [tracking(limit=0.5, turns=True), db.OpenLoop(Ramp())],
+    ids=lambda c: type(c).__name__,
 )
 def test_they_are_pickled(controller):
     copy = pickle.loads(pickle.dumps(controller))  # noqa: S301

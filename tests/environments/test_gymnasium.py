@@ -42,7 +42,7 @@ def test_it_is_an_environment_with_the_controller_s_motor_space():
     assert cart().sensory_space is None
 
 
-@pytest.mark.parametrize("command", COMMANDS[:6].tolist() + [[1.0, 0.1]])
+@pytest.mark.parametrize("command", [*COMMANDS[:6].tolist(), [1.0, 0.1]])
 def test_an_episode_is_what_a_loop_by_hand_does(command):
     seen, actions = by_hand(command)
     episode = cart().episode(command)
@@ -91,11 +91,13 @@ def test_the_policy_sees_each_step_and_the_observation_before_it():
     episode = cart(controller=db.FunctionController(look, HOLD.motor_space)).episode([0.1, 0.2])
     assert [step for step, _ in seen] == list(range(8))
     # Each was kept: the environment writes over what it returned.
-    np.testing.assert_array_equal([observation for _, observation in seen], episode.observations[:8])
+    np.testing.assert_array_equal(
+        [observation for _, observation in seen], episode.observations[:8]
+    )
 
 
 def test_other_spaces_than_boxes():
-    def turn(command, step, observation):
+    def turn(command, _, observation):
         return int(command[0] > observation / 9)
 
     walk = db.GymnasiumEnvironment(
@@ -108,7 +110,7 @@ def test_other_spaces_than_boxes():
     assert walk.episode([0.5]).observations[0] == 0
     effects = walk(np.linspace(0, 1, 9)[:, None])
     assert len({tuple(effect) for effect in effects.tolist()}) > 1
-    wild = db.FunctionController(lambda command, *_: 9, db.Box([0], [1]))
+    wild = db.FunctionController(lambda *_: 9, db.Box([0], [1]))
     with pytest.raises(ValueError, match=r"action must be a member of Discrete\(4\), got 9"):
         db.GymnasiumEnvironment("FrozenLake-v1", wild, last, 5, 0)([0])
 
@@ -184,7 +186,9 @@ def test_actions_that_are_none(action, error, says):
 
 def test_a_controller_that_begins_nothing():
     lame = SimpleNamespace(motor_space=HOLD.motor_space, begin=lambda _: 3)
-    with pytest.raises(TypeError, match=r"controller\.begin must return a callable policy, got int"):
+    with pytest.raises(
+        TypeError, match=r"controller\.begin must return a callable policy, got int"
+    ):
         cart(controller=lame)([0, 0])
 
 
@@ -328,9 +332,7 @@ def sorted_rows(run):
 def test_explorations_are_reproducible():
     strategy = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.1)], tau=0.05)
     space = db.Box([-2, -2], [2, 2])
-    first, second = (
-        db.explore(cart(sensory_space=space), strategy, n=60, rng=1) for _ in range(2)
-    )
+    first, second = (db.explore(cart(sensory_space=space), strategy, n=60, rng=1) for _ in range(2))
     assert first.commands.tobytes() == second.commands.tobytes()
     assert first.effects.tobytes() == second.effects.tobytes()
 

@@ -104,6 +104,24 @@ def test_dask_cluster(run):
     assert sum(numbers(line)[1] for line in tries) == 200
 
 
+def test_mujoco_pusher(run):
+    lines = run("mujoco_pusher").splitlines()
+    assert len(lines) == 3
+    for line in lines:
+        area, pushed, tries, far = numbers(line.partition("covers")[2].replace("cm2", ""))
+        assert area > 3
+        assert 0 < pushed < tries == 300
+        assert far > 1
+
+
+def test_mujoco_reacher(run):
+    *lines, _ = run("mujoco_reacher").splitlines()
+    covers = [numbers(line.partition("covers")[2].replace("cm2", ""))[0] for line in lines]
+    assert len(covers) == 4
+    assert min(covers) > 100
+    assert covers[3] > 0.8 * max(covers)
+
+
 def test_no_example_is_forgotten():
     names = {path.stem for path in EXAMPLES.glob("*.py")}
     assert names == {name.removeprefix("test_") for name in globals()} & names

@@ -42,6 +42,14 @@ class Controller(Protocol):
         It is called with the number of the step, from 0, and what was observed before it, and
         returns the action. It serves one episode and may remember; the controller itself may
         serve several episodes at once, and must not.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> hold = db.FunctionController(lambda command, step, seen: command, db.Box([-1], [1]))
+        >>> hold.begin(np.array([0.5]))(0, None)
+        array([0.5])
         """
 
 
@@ -68,4 +76,11 @@ class Trajectories(Protocol):
         """M, the box of all motor commands."""
 
     def trajectory(self, command: NDArray[np.float64], /) -> ArrayLike:
-        """Return where it goes, shape (steps + 1, dofs); the first row is where it starts."""
+        """Return where it goes, shape (steps + 1, dofs); the first row is where it starts.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.MovementPrimitives(2, basis=2, steps=50).trajectory([0] * 6).shape
+        (51, 2)
+        """

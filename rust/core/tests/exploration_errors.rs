@@ -149,7 +149,7 @@ impl Environment for Breaking {
         2
     }
 
-    fn effect_into(&self, command: &[f64], effect: &mut [f64]) -> Result<(), Error> {
+    fn effect_into(&mut self, command: &[f64], effect: &mut [f64]) -> Result<(), Error> {
         effect.copy_from_slice(&arm(3).effect(command)?);
         if self.0.fetch_add(1, Ordering::Relaxed) == 9 {
             effect[1] = self.1.clone()?;

@@ -1,0 +1,39 @@
+"""MuJoCo's Reacher: two soft joints are led along trajectories, so that its fingertip gets about.
+
+Needs MuJoCo: ``pip install 'divbandit[mujoco]'``. Nothing is rendered.
+"""
+
+from functools import partial
+
+import gymnasium
+import numpy as np
+
+import divbandit as db
+from divbandit.controllers import ViaPoints
+from divbandit.environments.mujoco import fingertip, reacher_positions, reacher_velocities
+
+# A command is five postures that a trajectory of 50 steps goes through; it is followed by springs
+# and dampers that are weak. `divbandit.environments.mujoco.reacher()` is the same, ready-made.
+primitives = ViaPoints([-np.pi, -2.8], [np.pi, 2.8], steps=50, points=5)
+controller = db.Tracking(
+    primitives,
+    reacher_positions,
+    reacher_velocities,
+    dt=0.02,
+    stiffness=0.03,
+    damping=0.03,
+    turns=True,
+)
+make = partial(gymnasium.make, "Reacher-v5", reward_control_weight=0.0)
+reachable = db.Box([-0.21, -0.21], [0.21, 0.21])
+
+with db.GymnasiumEnvironment(
+    make, controller, fingertip, 50, seed=0, sensory_space=reachable
+) as reacher:
+    babblings = [db.MotorBabbling(), db.GoalBabbling(0.05), db.GoalBabbling(0.2)]
+    adapt = db.Adapt(babblings, tau=0.01)
+    names = ("motor babbling", "goals, d = 0.05", "goals, d = 0.20", "ADAPT")
+    for name, strategy in zip(names, [*babblings, adapt], strict=True):
+        run = db.explore(reacher, strategy, n=300, rng=0)
+        print(f"{name:16} covers {1e4 * run.coverage(0.01)[-1]:.0f} cm2")
+print("ADAPT chose each of the three:", np.bincount(run.choices, minlength=3))

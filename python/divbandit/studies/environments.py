@@ -173,7 +173,7 @@ def _figure(world: World, found: dict[str, Row]) -> Figure:
         ax=axes[2],
     )
     axes[2].set_title(f"(c) {world.name}")
-    axes[2].legend(loc="upper left", frameon=False)
+    figure.legend(loc="outside lower right", frameon=False)
     return figure
 
 

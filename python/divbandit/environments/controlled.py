@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
 
-from divbandit._core import as_point
 from divbandit.box import Box, BoxLike
 from divbandit.controllers import Trajectories
+from divbandit.environments._one_by_one import one_by_one
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -108,19 +108,11 @@ class Controlled:
         >>> moved(moved.motor_space.low * 0).round(6)
         array([1., 0.])
         """
-        commands = self.motor_space.bounds.commands(command)
-        length = None if self.sensory_space is None else self.sensory_space.dim
-        if commands.ndim == 1:
-            return as_point("effect", self.body.follow(self._trajectory(commands)), length)
-        effects = []
-        for row in commands:
-            effect = as_point("effect", self.body.follow(self._trajectory(row)), length)
-            length = len(effect)
-            effects.append(effect)
-        return np.stack(effects) if effects else np.empty((0, length or 0))
+        return one_by_one(self._effect, command, self.motor_space, self.sensory_space)
 
-    def _trajectory(self, command: NDArray[np.float64]) -> NDArray[np.float64]:
-        return np.asarray(self.controller.trajectory(command), dtype=np.float64)
+    def _effect(self, command: NDArray[np.float64]) -> ArrayLike:
+        trajectory = np.asarray(self.controller.trajectory(command), dtype=np.float64)
+        return self.body.follow(trajectory)
 
     def __repr__(self) -> str:
         return f"Controlled({self.body!r}, {self.controller!r})"

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from divbandit._checks import truth
-from divbandit._core import as_point
 from divbandit.box import Box, BoxLike
+from divbandit.environments._one_by_one import one_by_one
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -92,22 +92,12 @@ class FunctionEnvironment:
         array([[1.],
                [2.]])
         """
-        commands = self.motor_space.bounds.commands(command)
-        length = None if self.sensory_space is None else self.sensory_space.dim
-        if commands.ndim == 1:
-            return self._effect(commands, length)
-        effects = []
-        for row in commands:
-            effect = self._effect(row, length)
-            length = len(effect)
-            effects.append(effect)
-        return np.stack(effects) if effects else np.empty((0, length or 0))
+        return one_by_one(self._effect, command, self.motor_space, self.sensory_space)
 
-    def _effect(self, command: NDArray[np.float64], length: int | None) -> NDArray[np.float64]:
+    def _effect(self, command: NDArray[np.float64]) -> ArrayLike:
         effect = self._f(*command.tolist()) if self._scalars else self._f(command)
-        if isinstance(effect, (int, float, np.number)) and not isinstance(effect, bool):
-            return as_point("effect", np.array([effect]), length)
-        return as_point("effect", effect, length)
+        is_number = isinstance(effect, (int, float, np.number)) and not isinstance(effect, bool)
+        return np.array([effect]) if is_number else effect
 
     def __repr__(self) -> str:
         name = getattr(self._f, "__name__", repr(self._f))

@@ -98,7 +98,8 @@ class PlanarArm:
         self._free = not (kernels or self_contact)
         # Where nothing can be touched any thickness will do.
         thick = _THINNEST if self._free else self._thickness
-        self._moving = _core.ObstructedArm(self._kernel, thick, kernels, self._self_contact)
+        self._obstructed = _core.ObstructedArm(self._kernel, thick, kernels, self._self_contact)
+        self._moving: _core.ObstructedArm | _core.PushArm = self._obstructed
         highest = np.full(self._kernel.joints, self._kernel.limit)
         self.motor_space = Box(-highest, highest)
         self.sensory_space = Box([-1, -1], [1, 1])
@@ -238,7 +239,7 @@ class PlanarArm:
     def _describe(self, description: Description) -> tuple[int, int]:
         if self._free:
             return description.engine.planar_arm(self._kernel)
-        return description.engine.obstructed_arm(self._moving)
+        return description.engine.obstructed_arm(self._obstructed)
 
     def __repr__(self) -> str:
         free = f"PlanarArm({self.joints}, limit={self.limit!r}"

@@ -9,15 +9,14 @@ import signal
 import subprocess
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from divbandit._checks import positive
-from divbandit._core import as_point
 from divbandit.box import Box, BoxLike
+from divbandit.environments._one_by_one import one_by_one
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
 #: How much of a program's output an error shows.
@@ -127,16 +126,7 @@ class ProcessEnvironment:
             ...
         RuntimeError: the program ended with status 1: ...
         """
-        commands = self.motor_space.bounds.commands(command)
-        length = None if self.sensory_space is None else self.sensory_space.dim
-        if commands.ndim == 1:
-            return as_point("effect", self._run(commands), length)
-        effects = []
-        for row in commands:
-            effect = as_point("effect", self._run(row), length)
-            length = len(effect)
-            effects.append(effect)
-        return np.stack(effects) if effects else np.empty((0, length or 0))
+        return one_by_one(self._run, command, self.motor_space, self.sensory_space)
 
     def _run(self, command: NDArray[np.float64]) -> Any:  # noqa: ANN401 - what JSON can say
         words = [*self.command_line, *map(repr, command.tolist())]

@@ -10,7 +10,7 @@ import numpy as np
 from divbandit import _core
 from divbandit._checks import real
 from divbandit.box import Box
-from divbandit.environments.planar_arm import PlanarArm, each_followed
+from divbandit.environments.planar_arm import PlanarArm
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -70,6 +70,13 @@ class PushArm(PlanarArm):
            [0. , 0.5]])
     >>> arm([2.0]).round(3)                   # it has slid outwards along the link
     array([-0.263,  0.456])
+
+    A ball between a link and two posts is pinned, and stops the arm:
+
+    >>> posts = [db.Disc([0, 0.44], 0.02), db.Disc([0, 0.56], 0.02)]
+    >>> arm = db.PushArm(1, obstacles=posts, ball=[0.2, 0.45], ball_radius=0.1)
+    >>> bool(arm.progress([2.0]) < db.PlanarArm(1, obstacles=posts).progress([2.0]))
+    True
     """
 
     ball: NDArray[np.float64]
@@ -94,7 +101,8 @@ class PushArm(PlanarArm):
         )
         kernels = [each._kernel for each in self.obstacles]  # noqa: SLF001 - made for this
         arm = _core.ObstructedArm(self._kernel, self.thickness, kernels, self.self_contact)
-        self._pushing = _core.PushArm(arm, ball, ball_radius)
+        self._moving = self._pushing = _core.PushArm(arm, ball, ball_radius)
+        self._free = False
         self.ball = _core.as_point("ball", ball, 2)
         self._ball_radius = real("ball_radius", ball_radius)
         beyond = self.thickness / 2 + 2 * self.ball_radius
@@ -132,62 +140,6 @@ class PushArm(PlanarArm):
         """
         return self._pushing.effect(command)
 
-    def posture(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return where the arm lies in the end: base, each joint's far end and, last, the tip.
-
-        Parameters
-        ----------
-        command : array_like, shape (joints,)
-            Angles in radians.
-
-        Returns
-        -------
-        numpy.ndarray of float64, shape (joints + 1, 2)
-            x and y in metres.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it has another shape, or an angle is not finite or beyond the limit.
-
-        Examples
-        --------
-        >>> import divbandit as db
-        >>> db.PushArm(2).posture([0, 0])[-1]
-        array([1., 0.])
-        """
-        return self._pushing.posture(command)
-
-    def progress(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return how far the arm gets on its way from rest to a command, or to each of many.
-
-        Parameters
-        ----------
-        command : array_like, shape (joints,) or (n, joints)
-            Angles in radians.
-
-        Returns
-        -------
-        numpy.ndarray of float64, shape () or (n,)
-            The share of the way: 1 where nothing stops it.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it has another shape, or an angle is not finite or beyond the limit.
-
-        Examples
-        --------
-        A ball between the link and two posts is pinned, and stops the arm:
-
-        >>> import divbandit as db
-        >>> posts = [db.Disc([0, 0.44], 0.02), db.Disc([0, 0.56], 0.02)]
-        >>> arm = db.PushArm(1, obstacles=posts, ball=[0.2, 0.45], ball_radius=0.1)
-        >>> bool(arm.progress([2.0]) < db.PlanarArm(1, obstacles=posts).progress([2.0]))
-        True
-        """
-        return self._pushing.progress(command)[..., 0]
-
     def path(self, command: ArrayLike) -> NDArray[np.float64]:
         """Return how the ball moves.
 
@@ -215,34 +167,6 @@ class PushArm(PlanarArm):
                [ 1. , -0.5,  0.3]])
         """
         return self._pushing.path(command)
-
-    def follow(self, trajectory: ArrayLike) -> NDArray[np.float64]:
-        """Return where the ball is when the arm has followed a trajectory as far as it can.
-
-        Parameters
-        ----------
-        trajectory : array_like, shape (k, joints) or (n, k, joints)
-            Postures in radians, the first of them rest; the arm goes along straight lines in joint
-            space from each to the next, and stays where something stops it.
-
-        Returns
-        -------
-        numpy.ndarray of float64, shape (2,) or (n, 2)
-            x and y in metres.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it has another shape or no rows, an angle is not finite or beyond the limit, or the
-            first posture is not rest.
-
-        Examples
-        --------
-        >>> import divbandit as db
-        >>> db.PushArm(2).follow([[0, 0], [0.2, 0], [0, 0]])
-        array([-0.5,  0.3])
-        """
-        return each_followed(self._pushing, trajectory)
 
     def _describe(self, description: Description) -> tuple[int, int]:
         return description.engine.push_arm(self._pushing)

@@ -1,145 +1,407 @@
-"""GymnasiumEnvironment: the rules of episodes, and three hundred of MuJoCo's, seeded."""
+"""An episode as a black box: the contract, on environments small enough to look through."""
 
+import os
 import pickle
-from concurrent.futures import ThreadPoolExecutor
+import subprocess
+import sys
+import threading
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import FrozenInstanceError
+from functools import partial
+from multiprocessing import get_context
+from types import SimpleNamespace
 
 import gymnasium
 import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit.environments.mujoco import pusher, reacher
+from tests.environments.small_envs import HOLD, Cart, cart, hold, last, story
+
+COMMANDS = np.random.default_rng(5).uniform(-1, 1, (23, 2))
 
 
-class Counting(gymnasium.Env):
-    """Adds actions up; ends where they reach 3, is truncated never."""
-
-    observation_space = gymnasium.spaces.Box(-100, 100, (1,), np.float64)
-    action_space = gymnasium.spaces.Box(-1, 1, (1,), np.float64)
-
-    def reset(self, *, seed=None, options=None):  # noqa: ARG002
-        super().reset(seed=seed)
-        self.total = self.np_random.random()
-        return np.array([self.total]), {}
-
-    def step(self, action):
-        self.total += float(action[0])
-        return np.array([self.total]), 1.0, self.total >= 3, False, {}
+def by_hand(command, *, seed=3, steps=8, time=99):
+    """Return all that happens, with nothing but Gymnasium and a loop."""
+    env = Cart(time=time)
+    seen = [env.reset(seed=seed)[0].copy()]
+    actions, over = [], False
+    while len(actions) < steps and not over:
+        actions.append(np.clip(command, -0.25, 0.25))
+        observation, _, terminated, truncated, _ = env.step(actions[-1])
+        seen.append(observation.copy())
+        over = terminated or truncated
+    return np.array(seen), np.array(actions)
 
 
-def act(command, step, observation):  # noqa: ARG001 - the same at each step
+def test_it_is_an_environment_with_the_controller_s_motor_space():
+    environment = cart(sensory_space=db.Box([-1, -1], [1, 1]))
+    assert isinstance(environment, db.Environment)
+    assert environment.motor_space == HOLD.motor_space
+    assert environment.sensory_space == db.Box([-1, -1], [1, 1])
+    assert cart().sensory_space is None
+
+
+@pytest.mark.parametrize("command", [*COMMANDS[:6].tolist(), [1.0, 0.1]])
+def test_an_episode_is_what_a_loop_by_hand_does(command):
+    seen, actions = by_hand(command)
+    episode = cart().episode(command)
+    np.testing.assert_array_equal(episode.observations, seen)
+    np.testing.assert_array_equal(episode.actions, actions)
+    assert episode.rewards.tolist() == list(range(1, len(actions) + 1))
+    assert len(episode) == len(actions)
+    np.testing.assert_array_equal(cart()(command), seen[-1])
+
+
+def test_how_an_episode_ends():
+    short = cart(make=partial(Cart, time=3))
+    fell, late, left = cart().episode([1, 0]), short.episode([0, 0]), cart().episode([0, 0])
+    assert (len(fell), fell.terminated, fell.truncated, fell.info) == (4, True, False, {"age": 4})
+    assert (len(late), late.terminated, late.truncated, late.info) == (3, False, True, {"age": 3})
+    assert (len(left), left.terminated, left.truncated, left.info) == (8, False, False, {"age": 8})
+    with pytest.raises(FrozenInstanceError):
+        left.truncated = True
+
+
+def test_equal_commands_have_equal_effects_and_the_seed_matters():
+    environment = cart()
+    once = environment(COMMANDS)
+    assert environment(COMMANDS[::-1])[::-1].tobytes() == once.tobytes()
+    assert (cart(seed=4)(COMMANDS) != once).all()
+
+
+def test_one_command_and_many():
+    environment = cart()
+    effects = environment(COMMANDS)
+    assert effects.shape == (23, 2)
+    assert effects.dtype == np.float64
+    assert np.stack([environment(command) for command in COMMANDS]).tobytes() == effects.tobytes()
+    assert environment(COMMANDS[:1]).shape == (1, 2)
+    assert environment(COMMANDS[:0]).shape == (0, 0)
+    assert cart(sensory_space=db.Box([0, 0], [1, 1]))(COMMANDS[:0]).shape == (0, 2)
+
+
+def test_the_policy_sees_each_step_and_the_observation_before_it():
+    seen = []
+
+    def look(command, step, observation):
+        seen.append((step, observation))
+        return command
+
+    episode = cart(controller=db.FunctionController(look, HOLD.motor_space)).episode([0.1, 0.2])
+    assert [step for step, _ in seen] == list(range(8))
+    # Each was kept: the environment writes over what it returned.
+    np.testing.assert_array_equal(
+        [observation for _, observation in seen], episode.observations[:8]
+    )
+
+
+def test_other_spaces_than_boxes():
+    def turn(command, _, observation):
+        return int(command[0] > observation / 9)
+
+    walk = db.GymnasiumEnvironment(
+        "FrozenLake-v1",
+        db.FunctionController(turn, db.Box([0], [1])),
+        lambda episode: [episode.observations[-1], len(episode)],
+        steps=20,
+        seed=0,
+    )
+    assert walk.episode([0.5]).observations[0] == 0
+    effects = walk(np.linspace(0, 1, 9)[:, None])
+    assert len({tuple(effect) for effect in effects.tolist()}) > 1
+    wild = db.FunctionController(lambda *_: 9, db.Box([0], [1]))
+    with pytest.raises(ValueError, match=r"action must be a member of Discrete\(4\), got 9"):
+        db.GymnasiumEnvironment("FrozenLake-v1", wild, last, 5, 0)([0])
+
+
+# What is refused.
+
+
+@pytest.mark.parametrize(
+    ("wrong", "error", "says"),
+    [
+        ({"make": 5}, TypeError, "make must be the id .* got int"),
+        ({"controller": None}, TypeError, "controller must have .* got NoneType"),
+        ({"controller": SimpleNamespace(motor_space=db.Box([0], [1]))}, TypeError, "controller"),
+        ({"controller": SimpleNamespace(begin=hold)}, TypeError, "controller"),
+        (
+            {"controller": SimpleNamespace(begin=hold, motor_space=5)},
+            TypeError,
+            r"controller\.motor_space",
+        ),
+        ({"effect": [0]}, TypeError, "effect must be callable, got list"),
+        ({"steps": 0}, ValueError, "steps must be at least 1, got 0"),
+        ({"steps": 2.0}, TypeError, "steps must be a whole number"),
+        ({"seed": -1}, ValueError, "seed must be at least 0, got -1"),
+        ({"seed": None}, TypeError, "seed must be a whole number"),
+        ({"sensory_space": 3}, TypeError, "sensory_space"),
+        ({"envs": 0}, ValueError, "envs must be at least 1"),
+        ({"vector": "both"}, ValueError, "vector must be one of 'sync', 'async'"),
+    ],
+)
+def test_wrong_arguments(wrong, error, says):
+    with pytest.raises(error, match=says):
+        cart(**wrong)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "error", "says"),
+    [
+        ({"make": "NoSuchThing-v7"}, ValueError, "make must be the id .* 'NoSuchThing-v7'"),
+        ({"make": "no such id"}, ValueError, "make must be the id"),
+        ({"make": "CartPole-v77"}, ValueError, "make must be the id"),
+        ({"make": "nowhere/Thing-v0"}, ValueError, "make must be the id"),
+        ({"make": "no_module_of_this_name:Thing-v0"}, ValueError, "make must be the id"),
+        ({"make": dict}, TypeError, r"make must return a gymnasium\.Env, got dict"),
+        ({"effect": lambda _: [np.nan, 0]}, ValueError, r"effect\[0\] must be finite"),
+        ({"effect": lambda _: None}, TypeError, "effect"),
+        ({"effect": lambda _: [[0.0]]}, ValueError, "effect"),
+        ({"effect": last, "sensory_space": db.Box([0], [1])}, ValueError, "effect"),
+    ],
+)
+def test_what_turns_out_to_be_wrong(wrong, error, says):
+    environment = cart(**wrong)
+    for command in ([0, 0], [[0, 0]]):
+        with pytest.raises(error, match=says):
+            environment(command)
+
+
+@pytest.mark.parametrize(
+    ("action", "error", "says"),
+    [
+        ([0.0], ValueError, r"action must be of shape \(2,\), got \(1,\)"),
+        (0.0, ValueError, r"action must be of shape \(2,\), got \(\)"),
+        ([np.nan, 0], ValueError, "action must be finite"),
+        ([np.inf, 0], ValueError, "action must be finite"),
+        (None, (TypeError, ValueError), "action must be"),
+        ("ab", TypeError, "action must be an array of numbers"),
+    ],
+)
+def test_actions_that_are_none(action, error, says):
+    environment = cart(controller=db.FunctionController(lambda *_: action, HOLD.motor_space))
+    with pytest.raises(error, match=says):
+        environment([0, 0])
+
+
+def test_a_controller_that_begins_nothing():
+    lame = SimpleNamespace(motor_space=HOLD.motor_space, begin=lambda _: 3)
+    with pytest.raises(
+        TypeError, match=r"controller\.begin must return a callable policy, got int"
+    ):
+        cart(controller=lame)([0, 0])
+
+
+@pytest.mark.parametrize("command", [[0], [0, 2], [0, np.nan], "ab", None, [[0]], [[[0, 0]]]])
+def test_commands_that_are_none(command):
+    with pytest.raises((TypeError, ValueError), match="command"):
+        cart()(command)
+    with pytest.raises((TypeError, ValueError), match="command"):
+        cart().episode(command)
+
+
+def test_effects_of_several_lengths_are_refused():
+    uneven = cart(effect=lambda episode: [0.0] * len(episode))
+    with pytest.raises(ValueError, match="effect"):
+        uneven([[0, 0], [1, 0]])
+
+
+# Environments are made when they are needed, one a thread, and closed.
+
+
+class Counted(Cart):
+    made, closed = 0, 0
+
+
+@pytest.fixture
+def counted():
+    Counted.made = Counted.closed = 0
+    return cart(make=Counted)
+
+
+def test_made_when_needed_and_used_again(counted):
+    assert Counted.made == 0
+    counted(COMMANDS)
+    counted(COMMANDS[0])
+    assert (Counted.made, Counted.closed) == (1, 0)
+    counted.close()
+    counted.close()
+    assert (Counted.made, Counted.closed) == (1, 1)
+    with counted as same:
+        assert same is counted
+        counted(COMMANDS[0])
+    assert (Counted.made, Counted.closed) == (2, 2)
+
+
+def test_one_that_broke_is_not_used_again():
+    class Fragile(Counted):
+        made = closed = 0
+
+        def step(self, action):
+            if action[0] > 0.2:
+                raise ZeroDivisionError("it broke")
+            return super().step(action)
+
+    environment = cart(make=Fragile)
+    fine = environment([0.1, 0])
+    with pytest.raises(ZeroDivisionError):
+        environment([0.3, 0])
+    assert (Fragile.made, Fragile.closed) == (1, 1)
+    assert environment([0.1, 0]).tobytes() == fine.tobytes()
+    assert Fragile.made == 2
+
+
+def test_threads_in_an_episode_have_an_environment_each(counted):
+    both = threading.Barrier(2, timeout=60)
+
+    def meet(command, step, observation):  # noqa: ARG001
+        if step == 0:
+            both.wait()
+        return command
+
+    counted.controller = db.FunctionController(meet, HOLD.motor_space)
+    with ThreadPoolExecutor(2) as threads:
+        effects = list(threads.map(counted, COMMANDS[:8]))
+    assert Counted.made == 2
+    np.testing.assert_array_equal(effects, cart()(COMMANDS[:8]))
+    counted.close()
+    assert Counted.closed == 2
+
+
+def test_a_pickle_holds_no_environment(counted):
+    counted(COMMANDS)
+    copy = pickle.loads(pickle.dumps(counted))  # noqa: S301
+    assert Counted.made == 1
+    assert copy(COMMANDS).tobytes() == counted(COMMANDS).tobytes()
+    assert Counted.made == 2
+    assert repr(copy) == repr(counted)
+    assert "Counted" in repr(copy)
+
+
+# Several episodes side by side have the same effects as one by one.
+
+
+SLOW = COMMANDS / 3
+STORY = {"effect": story, "steps": 20}
+
+
+@pytest.mark.parametrize("envs", [2, 3, 40])
+def test_side_by_side_in_turns(envs):
+    """Episodes end after 4 to 20 steps, and 23 is no multiple of any."""
+    alone = cart(**STORY)(SLOW)
+    assert len(set(alone[:, 2])) > 4
+    with cart(**STORY, envs=envs) as several:
+        for _ in range(2):
+            assert several(SLOW).tobytes() == alone.tobytes()
+        assert several(SLOW[:0]).shape == (0, 0)
+        assert several(SLOW[3]).tobytes() == alone[3].tobytes()
+
+
+def test_side_by_side_in_processes():
+    alone = cart(**STORY)(SLOW)
+    with cart(**STORY, envs=2, vector="async") as several:
+        assert several(SLOW).tobytes() == alone.tobytes()
+        assert several(SLOW[::-1]).tobytes() == alone[::-1].tobytes()
+
+
+def refuse(command, step, observation):  # noqa: ARG001
+    if command[0] > 0.9:
+        raise KeyError("not so fast")
     return command
 
 
-def last(episode):
-    return episode.observations[-1]
-
-
-def counting(**options):
-    controller = db.FunctionController(act, db.Box([-9], [9]))
-    return db.GymnasiumEnvironment(Counting, controller, last, 5, 7, **options)
-
-
-def test_an_episode_is_reset_with_the_seed_clipped_and_ends():
-    environment = counting()
-    begin = np.random.default_rng(7).random()
-    start = environment.episode([0.0]).observations[0]
-    assert start == pytest.approx([begin])
-    assert environment([0.5]) == pytest.approx(start + 2.5)
-    # An action of 9 is clipped to 1; after the third step the episode ends.
-    ended = environment.episode([9.0])
-    assert len(ended) == 3
-    assert ended.terminated
-    assert ended.observations[-1] == pytest.approx(start + 3)
-    assert environment([[0.5], [0.5]]).tolist() == [environment([0.5]).tolist()] * 2
-    environment.close()
-
-
 @pytest.mark.parametrize("vector", ["sync", "async"])
-def test_side_by_side_is_the_same_bits_as_one_by_one(vector):
-    commands = np.linspace(-9, 9, 23)[:, None]
-    with counting() as alone, counting(envs=3, vector=vector) as many:
-        np.testing.assert_array_equal(many(commands), [alone(command) for command in commands])
+def test_side_by_side_errors_are_those_of_one_by_one(vector):
+    controller = db.FunctionController(refuse, HOLD.motor_space)
+    with cart(controller=controller, envs=2, vector=vector) as several:
+        with pytest.raises(KeyError, match="not so fast"):
+            several([[0, 0], [0.95, 0], [0, 0]])
+        assert several(COMMANDS[:3]).tobytes() == cart()(COMMANDS[:3]).tobytes()
 
 
-def test_threads_have_an_environment_each():
-    with counting() as environment, ThreadPoolExecutor(3) as executor:
-        run = db.explore(environment, db.MotorBabbling(), 60, rng=0, executor=executor, in_flight=3)
-        assert len(run.failures) == 0
-        np.testing.assert_array_equal(environment(run.commands), run.effects)
+# Explorations, and executors.
+
+EXPLORE = partial(db.explore, strategy=db.MotorBabbling(), n=40, rng=0)
 
 
-def test_it_is_pickled_without_its_environments():
-    with counting() as environment:
-        before = environment([0.25])
-        with pickle.loads(pickle.dumps(environment)) as again:  # noqa: S301 - just written
-            np.testing.assert_array_equal(again([0.25]), before)
+def sorted_rows(run):
+    rows = np.concatenate([run.commands, run.effects], axis=1)
+    return rows[np.lexsort(rows.T)].tobytes()
 
 
-def explored(make, n=300):
-    parts = [db.MotorBabbling(), db.GoalBabbling(0.05)]
-    with make() as environment:
-        return db.explore(environment, db.Adapt(parts, tau=0.01), n, rng=0)
+def test_explorations_are_reproducible():
+    strategy = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.1)], tau=0.05)
+    space = db.Box([-2, -2], [2, 2])
+    first, second = (db.explore(cart(sensory_space=space), strategy, n=60, rng=1) for _ in range(2))
+    assert first.commands.tobytes() == second.commands.tobytes()
+    assert first.effects.tobytes() == second.effects.tobytes()
 
 
-def primitives(dofs, steps, goals):
-    return db.MovementPrimitives(dofs, basis=4, steps=steps, weights=1.5, goals=goals)
+def test_an_executor_of_threads():
+    plain = EXPLORE(cart())
+    with ThreadPoolExecutor(3) as threads:
+        run = EXPLORE(cart(), executor=threads, in_flight=3)
+        same = EXPLORE(cart(), executor=threads, in_flight=1)
+    assert sorted_rows(run) == sorted_rows(plain)
+    assert same.effects.tobytes() == plain.effects.tobytes()
 
 
-@pytest.mark.parametrize(
-    ("make", "least"),
-    [
-        (lambda: reacher(primitives(2, 50, 2.8)), 0.005),
-        (lambda: pusher(primitives(7, 100, 1.0)), 0.0003),
-        (reacher, 0.005),
-        (pusher, 0.003),
-    ],
-    ids=["reacher, movement primitives", "pusher, movement primitives", "reacher", "pusher"],
-)
-def test_three_hundred_episodes_of_mujoco(make, least):
-    first, second = explored(make), explored(make)
-    np.testing.assert_array_equal(first.commands, second.commands)
-    np.testing.assert_array_equal(first.effects, second.effects)
-    # Half of what this version of MuJoCo gave, or less.
-    assert first.coverage(0.01)[-1] > least
+def test_an_executor_of_spawned_processes():
+    plain = EXPLORE(cart())
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as processes:
+        run = EXPLORE(cart(), executor=processes, in_flight=2)
+    assert run.failures == ()
+    assert sorted_rows(run) == sorted_rows(plain)
 
 
-def no_env():
-    return 7
+def python(script):
+    """Return what a script prints in a process of its own, with warnings as errors."""
+    command = [sys.executable, "-W", "error", "-c", script]
+    done = subprocess.run(  # noqa: S603
+        command, capture_output=True, text=True, check=True, env=dict(os.environ)
+    )
+    assert done.stderr == ""
+    return done.stdout
 
 
-@pytest.mark.parametrize(
-    ("change", "error", "says"),
-    [
-        ({"make": "Nowhere-v0"}, ValueError, "make"),
-        ({"make": 7}, TypeError, "make"),
-        ({"make": no_env}, TypeError, "make"),
-        ({"controller": 7}, TypeError, "controller"),
-        ({"effect": 7}, TypeError, "effect"),
-        ({"effect": lambda _: [np.nan]}, ValueError, "effect"),
-        ({"steps": 0}, ValueError, "steps"),
-        ({"seed": -1}, ValueError, "seed"),
-        ({"envs": 0}, ValueError, "envs"),
-        ({"vector": "many"}, ValueError, "vector"),
-        (
-            {"controller": db.FunctionController(lambda *_: [1, 2], db.Box([-9], [9]))},
-            ValueError,
-            "action",
-        ),
-        (
-            {"controller": db.FunctionController(lambda *_: [np.nan], db.Box([-9], [9]))},
-            ValueError,
-            "action",
-        ),
-    ],
-)
-def test_what_is_refused(change, error, says):
-    arguments = {
-        "make": Counting,
-        "controller": db.FunctionController(act, db.Box([-9], [9])),
-        "effect": last,
-        "steps": 5,
-        "seed": 0,
-    } | change
-    with pytest.raises(error, match=says):
-        db.GymnasiumEnvironment(**arguments)([0.0])
+def test_the_package_needs_no_gymnasium():
+    script = """
+import sys
+sys.modules["gymnasium"] = None
+import divbandit as db
+try:
+    db.GymnasiumEnvironment("Reacher-v5", None, None, 1, 0)
+except ModuleNotFoundError as error:
+    print(error)
+"""
+    needs = "GymnasiumEnvironment needs gymnasium: pip install 'divbandit[gymnasium]'\n"
+    assert python(script) == needs
+
+
+def test_gymnasium_is_imported_when_it_is_needed():
+    script = """
+import sys
+import divbandit as db, divbandit.environments.mujoco
+print(sorted({"gymnasium", "mujoco"} & set(sys.modules)))
+"""
+    assert python(script) == "[]\n"
+
+
+def test_mujoco_is_asked_for_by_name():
+    script = """
+import sys
+sys.modules["mujoco"] = None
+from divbandit.environments.mujoco import pusher, reacher
+for make in (reacher, pusher):
+    try:
+        make()
+    except ModuleNotFoundError as error:
+        print(error)
+"""
+    assert python(script).splitlines() == [
+        f"{user} needs mujoco: pip install 'divbandit[mujoco]'" for user in ("reacher", "pusher")
+    ]
+
+
+def test_the_small_environment_is_one_that_gymnasium_knows():
+    assert isinstance(Cart(), gymnasium.Env)

@@ -225,7 +225,12 @@ def _space_of(environment: Environment, wanted: BoxLike | None) -> spaces.Box:
         wanted = Box.of(environment.sensory_space, name="environment.sensory_space")
     if not (hasattr(wanted, "low") and hasattr(wanted, "high")):
         raise TypeError(f"{name} must have .low and .high, got {type(wanted).__name__}")
-    low, high = (np.asarray(bound, dtype=np.float64) for bound in (wanted.low, wanted.high))
+    try:
+        low, high = (np.asarray(bound, dtype=np.float64) for bound in (wanted.low, wanted.high))
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"{name} must have corners of numbers, got {wanted.low!r}, {wanted.high!r}"
+        ) from None
     if low.ndim != 1 or low.shape != high.shape or low.size == 0 or not (low <= high).all():
         raise ValueError(
             f"{name} must have low <= high, both of shape (s,), got {low.tolist()}, {high.tolist()}"

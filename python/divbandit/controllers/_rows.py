@@ -42,7 +42,13 @@ def rows_of(primitives: Trajectories, command: NDArray[np.float64]) -> NDArray[n
         ...
     ValueError: primitives.trajectory must return an array of shape (steps + 1, dofs), got (2,)
     """
-    rows = np.array(primitives.trajectory(command), dtype=np.float64)
+    given = primitives.trajectory(command)
+    try:
+        rows = np.array(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"primitives.trajectory must return an array of numbers, got {given!r}"
+        ) from None
     if rows.ndim != 2 or 0 in rows.shape:
         raise ValueError(
             "primitives.trajectory must return an array of shape (steps + 1, dofs), "

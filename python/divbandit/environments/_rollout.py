@@ -32,10 +32,14 @@ def made(make: str | Callable[[], Env]) -> Env:
     if isinstance(make, str):
         try:
             return gymnasium.make(make)
-        except gymnasium.error.UnregisteredEnv as error:
+        except gymnasium.error.DependencyNotInstalled:
+            raise
+        except (gymnasium.error.Error, ModuleNotFoundError) as error:
+            if isinstance(error, ModuleNotFoundError) and ":" not in make:
+                raise  # the environment is registered, and lacks something itself
             raise ValueError(
                 f"make must be the id of a registered environment, got {make!r}: {error}"
-            ) from None
+            ) from error
     env = make()
     if not isinstance(env, gymnasium.Env):
         raise TypeError(f"make must return a gymnasium.Env, got {type(env).__name__}")

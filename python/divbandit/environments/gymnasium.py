@@ -66,7 +66,9 @@ class GymnasiumEnvironment:
         Which one: ``"sync"`` takes turns and is no faster than one by one; ``"async"`` has a
         process for each. These are spawned: `make`, `controller` and `effect` are sent there by
         cloudpickle, and a script that calls this must guard what it does by
-        ``if __name__ == "__main__":``. It takes about a second until they are there.
+        ``if __name__ == "__main__":``. It takes about a second until they are there. Pusher's
+        episodes, of 5 ms, took a sixth more processor time in two processes than one by one: it
+        is of use where cores are free.
 
     Attributes
     ----------

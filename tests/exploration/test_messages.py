@@ -29,9 +29,14 @@ def test_a_function_is_told_of_function_environment():
 
 
 def test_a_scalar_effect_is_told_to_be_a_list():
-    box = db.FunctionEnvironment(lambda x: x[0], ARM.motor_space)
+    class Box:
+        motor_space, sensory_space = ARM.motor_space, None
+
+        def __call__(self, command):
+            return command[0]
+
     with pytest.raises(ValueError, match=r"effect .* \(put it in a list\)"):
-        box([0.0, 0.0])
+        db.explore(Box(), db.MotorBabbling(), n=1)
 
 
 @pytest.mark.parametrize("rng", [np.random.RandomState(0), np.random.PCG64(0), [1, 2], "0"])

@@ -9,12 +9,12 @@ import gymnasium
 import numpy as np
 
 import divbandit as db
-from divbandit.controllers import ViaPoints
 from divbandit.environments.mujoco import fingertip, reacher_positions, reacher_velocities
 
-# A command is five postures that a trajectory of 50 steps goes through; it is followed by springs
-# and dampers that are weak. `divbandit.environments.mujoco.reacher()` is the same, ready-made.
-primitives = ViaPoints([-np.pi, -2.8], [np.pi, 2.8], steps=50, points=5)
+# A command is ten weights and two goals of movement primitives, whose trajectories of 50 steps are
+# followed by springs and dampers that are weak. `divbandit.environments.mujoco.reacher(primitives)`
+# is the same, ready-made.
+primitives = db.MovementPrimitives(2, basis=5, steps=50)
 controller = db.Tracking(
     primitives,
     reacher_positions,

@@ -119,6 +119,26 @@ def bandit(**part):
     return db.Bandit(whole.pop("strategies", [RMB]), **whole)
 
 
+def episodes(**argument):
+    """Return a black box of episodes, one argument of which is another."""
+    space = db.Box([-1.0, -1.0], [1.0, 1.0])
+    controller = db.FunctionController(lambda *_: [0.0], space)
+    whole = {"make": "Pendulum-v1", "controller": controller, "effect": abs, "steps": 2, "seed": 0}
+    return db.GymnasiumEnvironment(**whole | argument)
+
+
+def tracking(**argument):
+    """Return a controller that tracks, one argument of which is another."""
+    whole = {"primitives": VIA, "positions": abs, "velocities": abs}
+    options = {"dt": 0.1, "stiffness": 1.0, "damping": 1.0}
+    return db.Tracking(**whole | options | argument)
+
+
+VIA = db.controllers.ViaPoints([-1.0, -1.0], [1.0, 1.0], steps=4)
+NOT_CONTROLLERS = {"None": None, "a function": abs, "primitives": VIA, "a class": db.Tracking}
+NOT_PRIMITIVES = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "text": "ab"}
+NO_STRENGTHS = without(POINTS, "a scalar", "too short", "too long") | {"below zero": -0.1}
+
 # (what is called, the argument, what is passed, how)
 TABLE = [
     ("PlanarArm", "joints", FROM_1 | HUGE | NONE, lambda _, x: db.PlanarArm(x)),
@@ -168,6 +188,30 @@ TABLE = [
         lambda _, x: db.Controlled(db.PlanarArm(2), FREE)(x),
     ),
     ("environment()", "command", BATCH | BEYOND, lambda w, x: w.environment(x)),
+    ("Gymnasium", "make", {"None": None, "7": 7}, lambda _, x: episodes(make=x)),
+    ("Gymnasium", "make", {"no id": "Nowhere-v0"}, lambda _, x: episodes(make=x)([0.0, 0.0])),
+    ("Gymnasium", "make", {"no maker": list}, lambda _, x: episodes(make=x)([0.0, 0.0])),
+    ("Gymnasium", "controller", NOT_CONTROLLERS, lambda _, x: episodes(controller=x)),
+    ("Gymnasium", "effect", {"None": None, "7": 7}, lambda _, x: episodes(effect=x)),
+    ("Gymnasium", "steps", FROM_1 | NONE, lambda _, x: episodes(steps=x)),
+    ("Gymnasium", "seed", COUNTS | NONE, lambda _, x: episodes(seed=x)),
+    ("Gymnasium", "sensory_space", WRONG_SPACES, lambda _, x: episodes(sensory_space=x)),
+    ("Gymnasium", "envs", FROM_1 | NONE, lambda _, x: episodes(envs=x)),
+    ("Gymnasium", "vector", {"None": None, "many": "many"}, lambda _, x: episodes(vector=x)),
+    ("Gymnasium()", "command", BATCH | BEYOND, lambda _, x: episodes()(x)),
+    ("Gymnasium.episode", "command", POINTS | BEYOND, lambda _, x: episodes().episode(x)),
+    ("Tracking", "primitives", NOT_PRIMITIVES, lambda _, x: tracking(primitives=x)),
+    ("Tracking", "positions", {"None": None, "7": 7}, lambda _, x: tracking(positions=x)),
+    ("Tracking", "velocities", {"None": None, "7": 7}, lambda _, x: tracking(velocities=x)),
+    ("Tracking", "dt", POSITIVE, lambda _, x: tracking(dt=x)),
+    ("Tracking", "stiffness", NO_STRENGTHS, lambda _, x: tracking(stiffness=x)),
+    ("Tracking", "damping", NO_STRENGTHS, lambda _, x: tracking(damping=x)),
+    ("Tracking", "limit", without(NO_STRENGTHS, "None"), lambda _, x: tracking(limit=x)),
+    ("Tracking", "turns", NOT_FLAGS, lambda _, x: tracking(turns=x)),
+    ("OpenLoop", "primitives", NOT_PRIMITIVES, lambda _, x: db.OpenLoop(x)),
+    ("FunctionController", "f", {"None": None}, lambda w, x: db.FunctionController(x, w.box)),
+    ("FunctionController", "motor_space", NOT_SPACES, lambda _, x: db.FunctionController(abs, x)),
+    ("ViaPoints.trajectory", "command", BATCH | BEYOND, lambda _, x: VIA.trajectory(x)),
     ("Box", "low", CORNERS | {"above high": [1.5]}, lambda _, x: db.Box(x, [1.0])),
     ("Box", "low", {"empty": []}, lambda _, x: db.Box(x, x)),
     ("Box", "high", POINTS, lambda _, x: db.Box([-1.0, -1.0], x)),

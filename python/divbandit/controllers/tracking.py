@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -200,7 +201,7 @@ class _Pursuit:
 
 def _strength(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Return one number or a list of them, none below 0."""
-    if np.ndim(value) == 0:
+    if isinstance(value, Real):
         return np.array(real(name, value, low=0))
     strengths = as_point(name, value)
     if (strengths < 0).any():

@@ -256,7 +256,7 @@ class GymnasiumEnvironment:
 
     def _effects(self, commands: NDArray[np.float64]) -> Iterator[ArrayLike]:
         """Yield what `effect` returns for each command, in order."""
-        if self.envs == 1 or len(commands) == 1:
+        if self.envs == 1 or len(commands) <= 1:
             for command in commands:
                 yield self.effect(self._episode(command))
             return

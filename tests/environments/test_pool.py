@@ -1,6 +1,7 @@
 """Pool: what is lent is used by one, kept for the next, and closed when something went wrong."""
 
 import threading
+import time
 
 import pytest
 
@@ -69,6 +70,7 @@ def test_never_two_at_once():
                 if thing in at_work:
                     clashes.append(thing)
                 at_work.add(thing)
+                time.sleep(0)  # let others run
                 at_work.discard(thing)
 
     threads = [threading.Thread(target=work) for _ in range(4)]

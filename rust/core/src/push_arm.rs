@@ -6,13 +6,14 @@
 
 use std::borrow::Borrow;
 
+use parry2d_f64::bounding_volume::{Aabb, BoundingVolume};
 use parry2d_f64::math::Vector;
 use parry2d_f64::query::PointQuery;
 use parry2d_f64::shape::{Capsule, Segment};
 
 use crate::arm::PlanarArm;
 use crate::contact::clear::{LEFT, Near, least_displacement};
-use crate::contact::gap::open_for;
+use crate::contact::gap::{Axis, Gap};
 use crate::contact::sweep::{Met, PRECISION, Sweep};
 use crate::environment::Environment;
 use crate::error::{Error, check_finite};
@@ -274,13 +275,13 @@ impl Way<'_> {
         chain.place(share, chain.links());
         let mut step = f64::INFINITY;
         for link in 0..chain.links() {
-            let gap = chain.link(link).distance_to_local_point(*self.ball, true)
-                - self.sweep.radius
-                - self.radius;
-            let square = |joint: usize| chain.velocity(joint).length_squared();
+            let gap =
+                chain.axis(link).offset(*self.ball).length() - self.sweep.radius - self.radius;
+            let square = |joint: usize| chain.joint(joint).velocity.length_squared();
             let speed = square(link).max(square(link + 1)).sqrt();
             let free = (gap - AWAY * self.radius).max(STEP * self.radius);
-            step = step.min(open_for(free, speed, chain.acceleration(0, link + 1)));
+            let acceleration = chain.acceleration(0, link + 1);
+            step = step.min(Gap { width: free, closing: speed, acceleration }.open_for());
         }
         step
     }
@@ -288,8 +289,7 @@ impl Way<'_> {
     /// The least gap between the ball and a link, all of which are placed.
     fn gap(&self) -> f64 {
         let chain = &self.room.chain;
-        let distances = (0..chain.links())
-            .map(|link| chain.link(link).distance_to_local_point(*self.ball, true));
+        let distances = (0..chain.links()).map(|link| chain.axis(link).offset(*self.ball).length());
         distances.fold(f64::INFINITY, f64::min) - self.sweep.radius - self.radius
     }
 
@@ -315,8 +315,8 @@ impl Way<'_> {
         let (near, radius) = (&mut *self.near, self.radius);
         near.clear();
         let within = 2.0 * AWAY * radius;
-        let mut add = |axis: &Segment, apart: f64| {
-            let offset = ball - axis.project_local_point(ball, true).point;
+        let mut add = |axis: &Axis, apart: f64| {
+            let offset = axis.offset(ball);
             let distance = offset.length();
             if distance - apart <= within {
                 near.push(Near { normal: offset / distance, gap: distance - apart });
@@ -324,12 +324,9 @@ impl Way<'_> {
         };
         let chain = &self.room.chain;
         for link in 0..chain.links() {
-            add(&chain.link(link), self.sweep.radius + radius);
+            add(&chain.axis(link), self.sweep.radius + radius);
         }
-        let here = Segment::new(ball, ball);
-        self.sweep.scene.near(&here, radius + within, |_, piece| {
-            add(&piece.capsule.segment, piece.capsule.radius + radius);
-            radius + within
-        });
+        let here = Aabb::new(ball, ball).loosened(radius + within);
+        self.sweep.scene.within(&here, |_, piece| add(&piece.axis, piece.radius + radius));
     }
 }

@@ -6,11 +6,23 @@
 use parry2d_f64::math::Vector;
 use parry2d_f64::shape::Segment;
 
+use super::gap::Axis;
 use crate::instructions::Dispatch;
 use crate::trig::sin_cos;
 
 /// How many angles go through the sines at once.
 const LANES: usize = 8;
+
+/// A joint at some moment.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Joint {
+    /// Where it is, in metres,
+    pub at: Vector,
+    /// and how that changes.
+    pub velocity: Vector,
+    /// The direction of the link that begins there.
+    pub direction: Vector,
+}
 
 /// Joints on their way; the base is joint 0, and the tip is counted as one.
 #[derive(Debug, Clone)]
@@ -24,9 +36,11 @@ pub(crate) struct Chain {
     accelerations: Vec<f64>,
     /// What no joint's speed exceeds, in metres a unit of the way.
     speeds: Vec<f64>,
-    directions: Vec<[f64; LANES]>,
-    points: Vec<Vector>,
-    velocities: Vec<Vector>,
+    /// How long a link is.
+    length: f64,
+    /// The angles of the links' directions.
+    totals: Vec<[f64; LANES]>,
+    joints: Vec<Joint>,
 }
 
 impl Chain {
@@ -39,9 +53,9 @@ impl Chain {
             rates: vec![0.0; joints],
             accelerations: vec![0.0; joints + 1],
             speeds: vec![0.0; joints + 1],
-            directions: vec![[0.0; LANES]; joints.div_ceil(LANES)],
-            points: vec![Vector::ZERO; joints + 1],
-            velocities: vec![Vector::ZERO; joints + 1],
+            length: 1.0 / joints as f64,
+            totals: vec![[0.0; LANES]; joints.div_ceil(LANES)],
+            joints: vec![Joint::default(); joints + 1],
         }
     }
 
@@ -49,7 +63,7 @@ impl Chain {
     pub fn begin(&mut self, from: &[f64], to: &[f64]) {
         self.from.copy_from_slice(from);
         self.to.copy_from_slice(to);
-        let length = 1.0 / self.from.len() as f64;
+        let length = self.length;
         let (mut rate, mut squares, mut sum) = (0.0_f64, 0.0, 0.0);
         for (joint, (from, to)) in from.iter().zip(to).enumerate() {
             rate += to - from;
@@ -81,47 +95,47 @@ impl Chain {
     }
 
     /// Lays the first `links` links as they are at this share of the way.
-    ///
-    /// A posture has the same bits as that of a free arm with these angles.
     pub fn place(&mut self, share: f64, links: usize) {
         self.dispatch.run(
             #[inline(always)]
-            || self.place_each(share, links),
+            || self.place_inline(share, links),
         );
     }
 
+    /// The same for a caller that is dispatched already.
     #[inline(always)]
-    fn place_each(&mut self, share: f64, links: usize) {
-        let count = self.links() as f64;
+    pub fn place_inline(&mut self, share: f64, links: usize) {
         let mut total = 0.0;
         for joint in 0..links {
             total += self.angle(joint, share);
-            self.directions[joint / LANES][joint % LANES] = total;
+            self.totals[joint / LANES][joint % LANES] = total;
         }
-        let (mut place, mut velocity) = (Vector::ZERO, Vector::ZERO);
-        for (lanes, first) in self.directions.iter().zip((0..links).step_by(LANES)) {
+        let mut here = Joint::default();
+        for (lanes, first) in self.totals.iter().zip((0..links).step_by(LANES)) {
             let (sines, cosines) = sin_cos(*lanes);
-            for joint in first..links.min(first + LANES) {
-                let (sine, cosine) = (sines[joint - first], cosines[joint - first]);
-                let rate = self.rates[joint];
-                place += Vector::new(cosine, sine);
-                velocity += Vector::new(-rate * sine, rate * cosine);
-                self.points[joint + 1] = place / count;
-                self.velocities[joint + 1] = velocity / count;
+            let last = links.min(first + LANES);
+            let joints = self.joints[first..=last].iter_mut().zip(&self.rates[first..last]);
+            for ((joint, &rate), (&x, &y)) in joints.zip(cosines.iter().zip(&sines)) {
+                here.direction = Vector::new(x, y);
+                *joint = here;
+                let step = here.direction * self.length;
+                here.at += step;
+                here.velocity += Vector::new(-rate * step.y, rate * step.x);
             }
         }
+        self.joints[links] = here;
     }
 
-    /// Where a joint is.
+    /// The instructions that the chain is laid with.
     #[inline]
-    pub fn point(&self, joint: usize) -> Vector {
-        self.points[joint]
+    pub fn dispatch(&self) -> Dispatch {
+        self.dispatch
     }
 
-    /// How a joint moves.
+    /// A joint.
     #[inline]
-    pub fn velocity(&self, joint: usize) -> Vector {
-        self.velocities[joint]
+    pub fn joint(&self, joint: usize) -> &Joint {
+        &self.joints[joint]
     }
 
     /// What the acceleration of a joint, seen from the joint `since`, never exceeds.
@@ -139,7 +153,7 @@ impl Chain {
     /// How far from the joint `since` a joint can be.
     #[inline]
     pub fn length(&self, since: usize, joint: usize) -> f64 {
-        (joint - since) as f64 / self.links() as f64
+        (joint - since) as f64 * self.length
     }
 
     /// How fast a link's direction turns, in radians a unit of the way.
@@ -148,9 +162,16 @@ impl Chain {
         self.rates[link]
     }
 
+    /// A link's axis and its direction.
+    #[inline]
+    pub fn axis(&self, link: usize) -> Axis {
+        let [here, next] = [&self.joints[link], &self.joints[link + 1]];
+        Axis { a: here.at, b: next.at, direction: here.direction, length: self.length }
+    }
+
     /// The axis of a link.
     #[inline]
     pub fn link(&self, link: usize) -> Segment {
-        Segment::new(self.points[link], self.points[link + 1])
+        Segment::new(self.joints[link].at, self.joints[link + 1].at)
     }
 }

@@ -1,11 +1,46 @@
 //! Gap: how far two segments are apart, in which direction, and for how long they will be.
 
 use parry2d_f64::math::Vector;
-use parry2d_f64::query::PointQuery;
 use parry2d_f64::shape::Segment;
 
 /// Clearances below this many metres are contact: less than a posture's rounding could hide a touch.
 pub(crate) const CONTACT: f64 = 1e-13;
+
+/// A segment with its direction: points are projected onto it without a division, which takes as long as all else.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Axis {
+    /// One end,
+    pub a: Vector,
+    /// the other,
+    pub b: Vector,
+    /// a unit vector from a to b, any where they are one,
+    pub direction: Vector,
+    /// and how far they are apart.
+    pub length: f64,
+}
+
+impl From<Segment> for Axis {
+    fn from(Segment { a, b }: Segment) -> Self {
+        let length = (b - a).length();
+        let direction = if length > 0.0 { (b - a) / length } else { Vector::X };
+        Self { a, b, direction, length }
+    }
+}
+
+impl Axis {
+    /// From the nearest point of it to `point`.
+    #[inline(always)]
+    pub fn offset(&self, point: Vector) -> Vector {
+        point - self.foot(point)
+    }
+
+    /// The point nearest to another.
+    #[inline(always)]
+    fn foot(&self, point: Vector) -> Vector {
+        let along = self.direction.dot(point - self.a);
+        self.a + self.direction * along.max(0.0).min(self.length)
+    }
+}
 
 /// How near two segments come to each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,15 +57,13 @@ pub(crate) struct Closest {
 ///
 /// That is at an end of one of them: four projections of a point onto a segment. parry's query for two
 /// segments at once divides by what vanishes where they are parallel.
-#[inline]
-pub(crate) fn closest(first: &Segment, second: &Segment) -> Closest {
-    let mut offset = first.a - foot(second, first.a);
+#[inline(always)]
+pub(crate) fn closest(first: &Axis, second: &Axis) -> Closest {
+    let mut offset = second.offset(first.a);
     let (mut square, mut end_of) = (offset.length_squared(), 0);
-    for (other, its_end_of) in [
-        (first.b - foot(second, first.b), 0),
-        (foot(first, second.a) - second.a, 1),
-        (foot(first, second.b) - second.b, 1),
-    ] {
+    for (other, its_end_of) in
+        [(second.offset(first.b), 0), (-first.offset(second.a), 1), (-first.offset(second.b), 1)]
+    {
         let its_square = other.length_squared();
         if its_square < square {
             (offset, square, end_of) = (other, its_square, its_end_of);
@@ -40,26 +73,37 @@ pub(crate) fn closest(first: &Segment, second: &Segment) -> Closest {
     Closest { distance, normal: offset / distance, end_of }
 }
 
-#[inline]
-fn foot(segment: &Segment, point: Vector) -> Vector {
-    segment.project_local_point(point, true).point
+/// A gap that closes at `closing` a unit of time, if its second derivative is never less than -`acceleration`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gap {
+    pub width: f64,
+    pub closing: f64,
+    pub acceleration: f64,
 }
 
-/// How long a gap that closes at `closing` a unit of time is open for sure, if its second derivative is
-/// never less than -`acceleration`: the first root of gap - closing t - acceleration t^2 / 2.
-#[inline]
-pub(crate) fn open_for(gap: f64, closing: f64, acceleration: f64) -> f64 {
-    // The root of what is no number would be no time either.
-    if gap <= 0.0 || gap.is_nan() {
-        return 0.0;
+impl Gap {
+    /// Whether it is open for that long for sure.
+    #[inline(always)]
+    pub fn is_open_for(&self, time: f64) -> bool {
+        self.width > (self.closing + 0.5 * self.acceleration * time) * time
     }
-    let root = (closing * closing + 2.0 * acceleration * gap).sqrt();
-    if closing > 0.0 {
-        2.0 * gap / (root + closing)
-    } else if acceleration > 0.0 {
-        (root - closing) / acceleration
-    } else {
-        f64::INFINITY
+
+    /// How long it is open for sure: the first root of width - closing t - acceleration t^2 / 2.
+    #[inline(always)]
+    pub fn open_for(&self) -> f64 {
+        let Self { width, closing, acceleration } = *self;
+        // The root of what is no number would be no time either.
+        if width <= 0.0 || width.is_nan() {
+            return 0.0;
+        }
+        let root = (closing * closing + 2.0 * acceleration * width).sqrt();
+        if closing > 0.0 {
+            2.0 * width / (root + closing)
+        } else if acceleration > 0.0 {
+            (root - closing) / acceleration
+        } else {
+            f64::INFINITY
+        }
     }
 }
 
@@ -69,19 +113,23 @@ mod tests {
 
     #[test]
     fn a_gap_is_open_until_the_root() {
-        for (gap, closing, acceleration) in [
+        for (width, closing, acceleration) in [
             (1.0, 2.0, 3.0),
             (1e-9, 5.0, 20.0),
             (0.5, -1.0, 4.0),
             (1e-12, 0.0, 25.0),
             (2.0, 4.0, 0.0),
         ] {
-            let time = open_for(gap, closing, acceleration);
-            let left = gap - closing * time - 0.5 * acceleration * time * time;
-            assert!(left.abs() <= 1e-15 * gap.max(1.0), "{left}");
+            let gap = Gap { width, closing, acceleration };
+            let time = gap.open_for();
+            let left = width - closing * time - 0.5 * acceleration * time * time;
+            assert!(left.abs() <= 1e-15 * width.max(1.0), "{left}");
+            assert!(gap.is_open_for(0.999 * time) && !gap.is_open_for(1.001 * time));
         }
-        assert_eq!(open_for(1.0, -1.0, 0.0), f64::INFINITY);
-        assert_eq!(open_for(1.0, 0.0, 0.0), f64::INFINITY);
-        assert_eq!(open_for(0.0, -1.0, 0.0), 0.0);
+        let open_for = |width, closing| Gap { width, closing, acceleration: 0.0 }.open_for();
+        assert_eq!(open_for(1.0, -1.0), f64::INFINITY);
+        assert_eq!(open_for(1.0, 0.0), f64::INFINITY);
+        assert_eq!(open_for(0.0, -1.0), 0.0);
+        assert_eq!(open_for(f64::NAN, -1.0), 0.0);
     }
 }

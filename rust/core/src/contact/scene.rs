@@ -1,10 +1,13 @@
 //! Scene: all obstacles as capsules, in a hierarchy of boxes that finds those near a link.
 
+use std::cmp::Ordering;
+
 use parry2d_f64::bounding_volume::Aabb;
 use parry2d_f64::math::Vector;
 use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 use parry2d_f64::shape::{Capsule, Segment};
 
+use super::gap::{Axis, closest};
 use super::obstacle::{Obstacle, touch};
 
 /// The obstacles around an arm.
@@ -18,8 +21,10 @@ pub(crate) struct Scene {
 /// A capsule of an obstacle.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
-    /// Its shape.
-    pub capsule: Capsule,
+    /// Its axis.
+    pub axis: Axis,
+    /// Half of how thick it is.
+    pub radius: f64,
     /// The index of the obstacle that it belongs to.
     pub obstacle: usize,
 }
@@ -27,14 +32,26 @@ pub(crate) struct Piece {
 impl Scene {
     /// Of these obstacles.
     pub fn new(obstacles: Vec<Obstacle>) -> Self {
-        let pieces: Vec<Piece> = obstacles
+        let mut pieces: Vec<Piece> = obstacles
             .iter()
             .enumerate()
             .flat_map(|(obstacle, its)| {
-                its.pieces().into_iter().map(move |capsule| Piece { capsule, obstacle })
+                let piece = move |shape: Capsule| Piece {
+                    axis: shape.segment.into(),
+                    radius: shape.radius,
+                    obstacle,
+                };
+                its.pieces().into_iter().map(piece)
             })
             .collect();
-        let boxes: Vec<Aabb> = pieces.iter().map(|piece| around(&piece.capsule)).collect();
+        // By their places, so that the order of the obstacles changes no bit.
+        let place =
+            |Piece { axis: Axis { a, b, .. }, radius, .. }: &Piece| [a.x, a.y, b.x, b.y, *radius];
+        pieces.sort_by(|one, other| {
+            let each = place(one).into_iter().zip(place(other));
+            each.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
+        });
+        let boxes: Vec<Aabb> = pieces.iter().map(|piece| around(piece)).collect();
         let boxes = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
         Self { obstacles, pieces, boxes }
     }
@@ -50,25 +67,16 @@ impl Scene {
         &self.pieces[index]
     }
 
-    /// Visits the pieces whose boxes are nearer to the box around a segment than a distance that `visit`
-    /// returns anew each time; it never grows.
-    #[inline]
-    pub fn near(
-        &self,
-        segment: &Segment,
-        within: f64,
-        mut visit: impl FnMut(usize, &Piece) -> f64,
-    ) {
-        let (low, high) = (segment.a.min(segment.b), segment.a.max(segment.b));
-        let mut square = within * within;
+    /// Visits the pieces whose boxes meet a box.
+    #[inline(always)]
+    pub fn within(&self, bounds: &Aabb, mut visit: impl FnMut(usize, &Piece)) {
         self.boxes.traverse(|node: &BvhNode| {
-            let apart = (node.mins() - high).max(low - node.maxs()).max(Vector::ZERO);
-            if apart.length_squared() > square {
+            let apart = (node.mins() - bounds.maxs).max(bounds.mins - node.maxs());
+            if apart.x > 0.0 || apart.y > 0.0 {
                 return TraversalAction::Prune;
             }
             if let Some(leaf) = node.leaf_data() {
-                let within = visit(leaf as usize, &self.pieces[leaf as usize]);
-                square = within * within;
+                visit(leaf as usize, &self.pieces[leaf as usize]);
             }
             TraversalAction::Continue
         });
@@ -77,8 +85,9 @@ impl Scene {
     /// The first obstacle that a capsule touches, or that surrounds it.
     pub fn touching(&self, axis: &Segment, radius: f64) -> Option<usize> {
         let touched = self.pieces.iter().filter(|piece| {
-            let between = super::gap::closest(axis, &piece.capsule.segment).distance;
-            between <= radius + piece.capsule.radius || touch(axis, &piece.capsule.segment)
+            let between = closest(&Axis::from(*axis), &piece.axis).distance;
+            let its_axis = Segment::new(piece.axis.a, piece.axis.b);
+            between <= radius + piece.radius || touch(axis, &its_axis)
         });
         let touched = touched.map(|piece| piece.obstacle).min();
         let surrounding = self.obstacles.iter().position(|obstacle| obstacle.surrounds(axis.a));
@@ -86,9 +95,8 @@ impl Scene {
     }
 }
 
-/// The box around a capsule.
-fn around(capsule: &Capsule) -> Aabb {
-    let (a, b) = (capsule.segment.a, capsule.segment.b);
-    let radius = Vector::splat(capsule.radius);
-    Aabb::new(a.min(b) - radius, a.max(b) + radius)
+/// The box around a piece.
+fn around(Piece { axis, radius, .. }: &Piece) -> Aabb {
+    let radius = Vector::splat(*radius);
+    Aabb::new(axis.a.min(axis.b) - radius, axis.a.max(axis.b) + radius)
 }

@@ -24,18 +24,32 @@ pub(crate) struct Joint {
     pub direction: Vector,
 }
 
+/// How a joint and its link turn on the way.
+#[derive(Debug, Clone, Copy, Default)]
+struct Turn {
+    /// The joint's angle at first, in radians,
+    from: f64,
+    /// and at last.
+    to: f64,
+    /// How fast the link's direction turns, in radians a unit of the way.
+    rate: f64,
+}
+
+/// What a joint never exceeds on the way.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bounds {
+    /// In metres a unit of the way.
+    speed: f64,
+    /// In metres a unit of the way squared.
+    acceleration: f64,
+}
+
 /// Joints on their way; the base is joint 0, and the tip is counted as one.
 #[derive(Debug, Clone)]
 pub(crate) struct Chain {
     dispatch: Dispatch,
-    from: Vec<f64>,
-    to: Vec<f64>,
-    /// How fast each link's direction turns, in radians a unit of the way.
-    rates: Vec<f64>,
-    /// What no joint's acceleration exceeds, in metres a unit of the way squared.
-    accelerations: Vec<f64>,
-    /// What no joint's speed exceeds, in metres a unit of the way.
-    speeds: Vec<f64>,
+    turns: Vec<Turn>,
+    bounds: Vec<Bounds>,
     /// How long a link is.
     length: f64,
     /// The angles of the links' directions.
@@ -48,11 +62,8 @@ impl Chain {
     pub fn new(joints: usize, dispatch: Dispatch) -> Self {
         Self {
             dispatch,
-            from: vec![0.0; joints],
-            to: vec![0.0; joints],
-            rates: vec![0.0; joints],
-            accelerations: vec![0.0; joints + 1],
-            speeds: vec![0.0; joints + 1],
+            turns: vec![Turn::default(); joints],
+            bounds: vec![Bounds::default(); joints + 1],
             length: 1.0 / joints as f64,
             totals: vec![[0.0; LANES]; joints.div_ceil(LANES)],
             joints: vec![Joint::default(); joints + 1],
@@ -61,29 +72,26 @@ impl Chain {
 
     /// Sets out from some angles to others, one a joint.
     pub fn begin(&mut self, from: &[f64], to: &[f64]) {
-        self.from.copy_from_slice(from);
-        self.to.copy_from_slice(to);
-        let length = self.length;
-        let (mut rate, mut squares, mut sum) = (0.0_f64, 0.0, 0.0);
-        for (joint, (from, to)) in from.iter().zip(to).enumerate() {
+        let mut rate = 0.0;
+        let mut bounds = Bounds::default();
+        for (joint, (&from, &to)) in from.iter().zip(to).enumerate() {
             rate += to - from;
-            squares += rate * rate;
-            sum += rate.abs();
-            self.rates[joint] = rate;
-            self.accelerations[joint + 1] = squares * length;
-            self.speeds[joint + 1] = sum * length;
+            self.turns[joint] = Turn { from, to, rate };
+            bounds.speed += self.length * rate.abs();
+            bounds.acceleration += self.length * (rate * rate);
+            self.bounds[joint + 1] = bounds;
         }
     }
 
     /// The number of links.
     pub fn links(&self) -> usize {
-        self.from.len()
+        self.turns.len()
     }
 
     /// The angle of `joint` at this share of the way.
     #[inline(always)]
     fn angle(&self, joint: usize, share: f64) -> f64 {
-        let (from, to) = (self.from[joint], self.to[joint]);
+        let Turn { from, to, .. } = self.turns[joint];
         if share < 1.0 { from + share * (to - from) } else { to }
     }
 
@@ -114,8 +122,8 @@ impl Chain {
         for (lanes, first) in self.totals.iter().zip((0..links).step_by(LANES)) {
             let (sines, cosines) = sin_cos(*lanes);
             let last = links.min(first + LANES);
-            let joints = self.joints[first..=last].iter_mut().zip(&self.rates[first..last]);
-            for ((joint, &rate), (&x, &y)) in joints.zip(cosines.iter().zip(&sines)) {
+            let joints = self.joints[first..=last].iter_mut().zip(&self.turns[first..last]);
+            for ((joint, &Turn { rate, .. }), (&x, &y)) in joints.zip(cosines.iter().zip(&sines)) {
                 here.direction = Vector::new(x, y);
                 *joint = here;
                 let step = here.direction * self.length;
@@ -141,13 +149,13 @@ impl Chain {
     /// What the acceleration of a joint, seen from the joint `since`, never exceeds.
     #[inline]
     pub fn acceleration(&self, since: usize, joint: usize) -> f64 {
-        self.accelerations[joint] - self.accelerations[since]
+        self.bounds[joint].acceleration - self.bounds[since].acceleration
     }
 
     /// What the speed of a joint, seen from the joint `since`, never exceeds.
     #[inline]
     pub fn speed(&self, since: usize, joint: usize) -> f64 {
-        self.speeds[joint] - self.speeds[since]
+        self.bounds[joint].speed - self.bounds[since].speed
     }
 
     /// How far from the joint `since` a joint can be.
@@ -159,7 +167,7 @@ impl Chain {
     /// How fast a link's direction turns, in radians a unit of the way.
     #[inline]
     pub fn rate(&self, link: usize) -> f64 {
-        self.rates[link]
+        self.turns[link].rate
     }
 
     /// A link's axis and its direction.

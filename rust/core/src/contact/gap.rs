@@ -92,18 +92,15 @@ impl Gap {
     #[inline(always)]
     pub fn open_for(&self) -> f64 {
         let Self { width, closing, acceleration } = *self;
-        // The root of what is no number would be no time either.
-        if width <= 0.0 || width.is_nan() {
-            return 0.0;
-        }
         let root = (closing * closing + 2.0 * acceleration * width).sqrt();
-        if closing > 0.0 {
-            2.0 * width / (root + closing)
-        } else if acceleration > 0.0 {
-            (root - closing) / acceleration
+        // Two forms of one root, neither of which takes the difference of what is nearly the same.
+        let (over, under) = if closing > 0.0 {
+            (2.0 * width, root + closing)
         } else {
-            f64::INFINITY
-        }
+            (root - closing, acceleration)
+        };
+        let time = if under > 0.0 { over / under } else { f64::INFINITY };
+        if width > 0.0 { time } else { 0.0 }
     }
 }
 

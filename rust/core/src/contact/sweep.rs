@@ -118,24 +118,24 @@ impl Sweep {
         other: Option<&(Axis, f64)>,
         likely: &mut Option<usize>,
     ) -> (f64, Option<Met>) {
-        let (mut open, mut met, first) = (longest, None, *likely);
-        let mut look = |index: usize, piece: &Piece| {
-            let apart = self.radius + piece.radius;
-            if let Some(time) = moving.clear_of(&piece.axis, apart, open) {
-                (open, met, *likely) = (time, Some(Met::Obstacle(piece.obstacle)), Some(index));
-            }
-            open
-        };
-
-        let within = first.map_or(longest, |index| look(index, self.scene.piece(index)));
+        let first = *likely;
+        let mut limit = Limit { open: longest, met: None };
+        if let Some(index) = first {
+            limit.look(moving, self.scene.piece(index), self.radius);
+        }
         // What is out of reach until then is not looked at. Nor is it later: which pieces are compared must not depend
         // on the order in which they are found.
-        let bounds = moving.swept(within, self.radius + 2.0 * CONTACT);
-        self.scene.within(&bounds, |index, piece| {
-            if Some(index) != first {
-                look(index, piece);
-            }
-        });
+        let bounds = moving.swept(limit.open, self.radius + 2.0 * CONTACT);
+        self.scene.within(
+            &bounds,
+            #[inline(always)]
+            |index, piece| {
+                if Some(index) != first && limit.look(moving, piece, self.radius) {
+                    *likely = Some(index);
+                }
+            },
+        );
+        let Limit { mut open, mut met } = limit;
         if let Some((axis, apart)) = other {
             if let Some(time) = moving.clear_of(axis, *apart, open) {
                 (open, met) = (time, Some(Met::Other));
@@ -149,6 +149,24 @@ impl Sweep {
             }
         }
         (open, met)
+    }
+}
+
+/// For how long a link is safe, and what ends that.
+struct Limit {
+    open: f64,
+    met: Option<Met>,
+}
+
+impl Limit {
+    /// Looks at a piece; returns whether it limits the link more than what was looked at before.
+    #[inline(always)]
+    fn look(&mut self, moving: &Moving, piece: &Piece, radius: f64) -> bool {
+        let time = moving.clear_of(&piece.axis, radius + piece.radius, self.open);
+        if let Some(time) = time {
+            *self = Self { open: time, met: Some(Met::Obstacle(piece.obstacle)) };
+        }
+        time.is_some()
     }
 }
 

@@ -106,7 +106,42 @@ impl Gap {
 
 #[cfg(test)]
 mod tests {
+    use parry2d_f64::math::Pose;
+    use parry2d_f64::query::{self, PointQuery};
+
     use super::*;
+
+    /// Against parry's projections, which divide, and its distance of capsules.
+    #[test]
+    fn closest_points_are_those_of_parry() {
+        let mut state = 1_u64;
+        let mut draw = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            Vector::new((state >> 40) as f64, (state & 0xff_ffff) as f64) / f64::from(1 << 24)
+        };
+        let mut apart = 0;
+        for i in 0..2000 {
+            let (a, b, c, e) = (draw(), draw(), draw(), draw());
+            let one = Segment::new(a, b);
+            let other = if i % 4 == 0 { Segment::new(c, c) } else { Segment::new(c, e) };
+            let (axis, its) = (Axis::from(one), Axis::from(other));
+            let expected = c - one.project_local_point(c, true).point;
+            assert!((axis.offset(c) - expected).length() < 1e-15 * 64.0);
+            let here = Pose::identity();
+            let distance = query::distance(&here, &one, &here, &other).unwrap().distance;
+            if distance > 1e-6 {
+                apart += 1;
+                let found = closest(&axis, &its);
+                assert!((found.distance - distance).abs() < 1e-14, "{found:?} {distance}");
+                assert!((found.normal.length() - 1.0).abs() < 1e-15);
+                // No point of either is beyond the closest ones: to what rounding turns so short a normal by.
+                let near = found.normal.dot(a).min(found.normal.dot(b));
+                let far = found.normal.dot(other.a).max(found.normal.dot(other.b));
+                assert!((near - far - distance).abs() < 4e-15 / distance);
+            }
+        }
+        assert!(apart > 1000);
+    }
 
     #[test]
     fn a_gap_is_open_until_the_root() {

@@ -57,7 +57,7 @@ impl Scene {
             let each = place(one).into_iter().zip(place(other));
             each.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
         });
-        let boxes: Vec<Aabb> = pieces.iter().map(|piece| around(piece)).collect();
+        let boxes: Vec<Aabb> = pieces.iter().map(around).collect();
         let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
         let boxes = boxes.iter().map(sides).collect();
         Self { obstacles, pieces, boxes, tree }
@@ -103,8 +103,9 @@ impl Scene {
 
     /// The first obstacle that a capsule touches, or that surrounds it.
     pub fn touching(&self, axis: &Segment, radius: f64) -> Option<usize> {
+        let line = Axis::from(*axis);
         let touched = self.pieces.iter().filter(|piece| {
-            let between = closest(&Axis::from(*axis), &piece.axis).distance;
+            let between = closest(&line, &piece.axis).distance;
             let its_axis = Segment::new(piece.axis.a, piece.axis.b);
             between <= radius + piece.radius || touch(axis, &its_axis)
         });

@@ -173,7 +173,10 @@ def _figure(world: World, found: dict[str, Row]) -> Figure:
         ax=axes[2],
     )
     axes[2].set_title(f"(c) {world.name}")
-    figure.legend(loc="outside lower right", frameon=False)
+    # Both scenes show the same things.
+    shown = [ax.get_legend_handles_labels() for ax in axes[1:]]
+    handles, labels = ([*first, *second] for first, second in zip(*shown, strict=True))
+    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
     return figure
 
 

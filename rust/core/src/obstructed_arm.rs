@@ -48,8 +48,8 @@ impl ObstructedArm {
         let radius = 0.5 * thickness;
         let scene = Scene::new(obstacles);
         let mut chain = Chain::new(arm.joints(), arm.dispatch());
-        chain.place(0.0, arm.joints());
-        let touching = |link: usize| Some((link, scene.touching(&chain.link(link), radius)?));
+        chain.place(0.0);
+        let touching = |link: usize| Some((link, scene.touching(&chain.axis(link), radius)?));
         if let Some((link, index)) = (0..arm.joints()).find_map(touching) {
             return Err(Error::Unfit {
                 name: format!("obstacles[{index}]"),

@@ -8,7 +8,6 @@ use std::borrow::Borrow;
 
 use parry2d_f64::bounding_volume::{Aabb, BoundingVolume};
 use parry2d_f64::math::Vector;
-use parry2d_f64::query::PointQuery;
 use parry2d_f64::shape::{Capsule, Segment};
 
 use crate::arm::PlanarArm;
@@ -52,7 +51,7 @@ impl PushArm {
             });
         }
         let push = Self { arm, ball: Vector::from(ball), radius: ball_radius };
-        let here = Segment::new(push.ball, push.ball);
+        let here = Axis::from(Segment::new(push.ball, push.ball));
         let refused = |got: String| {
             let must_be = "clear of the arm at rest and of all obstacles";
             Err(Error::Unfit { name: "ball".to_owned(), must_be, got })
@@ -60,8 +59,8 @@ impl PushArm {
         if let Some(index) = push.arm.sweep().scene.touching(&here, ball_radius + LEFT) {
             return refused(format!("one in contact with obstacles[{index}]"));
         }
-        let at_rest = Segment::new(Vector::ZERO, Vector::X);
-        let gap = at_rest.distance_to_local_point(push.ball, true);
+        let at_rest = Axis::from(Segment::new(Vector::ZERO, Vector::X));
+        let gap = at_rest.offset(push.ball).length();
         if gap <= push.arm.sweep().radius + ball_radius + LEFT {
             return refused(format!("one at {ball:?} in contact with the arm"));
         }
@@ -257,7 +256,7 @@ impl Way<'_> {
         let mut step = self.step(share).min(end - share);
         loop {
             let next = if share + step < end { share + step } else { end };
-            self.room.chain.place(next, self.room.chain.links());
+            self.room.chain.place(next);
             if let Some(ball) = self.cleared() {
                 *self.ball = ball;
                 return Some(next);
@@ -272,7 +271,7 @@ impl Way<'_> {
     /// How long a step may be: no link that is near the ball goes far, and none that is not gets there.
     fn step(&mut self, share: f64) -> f64 {
         let chain = &mut self.room.chain;
-        chain.place(share, chain.links());
+        chain.place(share);
         let mut step = f64::INFINITY;
         for link in 0..chain.links() {
             let gap =

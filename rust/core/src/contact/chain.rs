@@ -4,7 +4,6 @@
 //! the velocity L sum r_k u'(phi_k) over k <= i, and its acceleration is never more than L sum r_k^2.
 
 use parry2d_f64::math::Vector;
-use parry2d_f64::shape::Segment;
 
 use super::gap::Axis;
 use crate::instructions::Dispatch;
@@ -102,17 +101,17 @@ impl Chain {
         }
     }
 
-    /// Lays the first `links` links as they are at this share of the way.
-    pub fn place(&mut self, share: f64, links: usize) {
+    /// Lays the links as they are at this share of the way.
+    pub fn place(&mut self, share: f64) {
         self.dispatch.run(
             #[inline(always)]
-            || self.place_inline(share, links),
+            || self.place_each(share),
         );
     }
 
-    /// The same for a caller that is dispatched already.
     #[inline(always)]
-    pub fn place_inline(&mut self, share: f64, links: usize) {
+    fn place_each(&mut self, share: f64) {
+        let links = self.links();
         let mut total = 0.0;
         for joint in 0..links {
             total += self.angle(joint, share);
@@ -175,11 +174,5 @@ impl Chain {
     pub fn axis(&self, link: usize) -> Axis {
         let [here, next] = [&self.joints[link], &self.joints[link + 1]];
         Axis { a: here.at, b: next.at, direction: here.direction, length: self.length }
-    }
-
-    /// The axis of a link.
-    #[inline]
-    pub fn link(&self, link: usize) -> Segment {
-        Segment::new(self.joints[link].at, self.joints[link + 1].at)
     }
 }

@@ -8,6 +8,7 @@
 pub(crate) mod chain;
 pub(crate) mod clear;
 pub(crate) mod gap;
+mod moving;
 mod obstacle;
 pub(crate) mod scene;
 pub(crate) mod sweep;

@@ -1,17 +1,14 @@
 //! Sweep: the first contact of a chain on its way, by conservative advancement.
 //!
-//! Where two capsules are apart, the line between their closest points is normal to a line that separates them.
-//! From how fast the link's ends approach along it, and from what their accelerations cannot exceed, follows for
-//! how long both stay on their sides. Each link is given the shortest of these times, and the link whose time runs out
-//! first is looked at again, until the time that it is given is as short as contact is to be found. As the
-//! approach is known to first order, a time is wrong by its square: six or so looks lead from afar to contact.
+//! Each link is given a time for which it is safe for sure (see `moving`). When the first runs out that link is
+//! looked at again, until the time that it is given is as short as contact is to be found. As the approach is
+//! known to first order, a time is wrong by its square: six or so looks lead from afar to contact.
 
-use parry2d_f64::bounding_volume::Aabb;
-use parry2d_f64::math::Vector;
 use parry2d_f64::shape::Capsule;
 
-use super::chain::{Chain, Joint};
-use super::gap::{Axis, CONTACT, Gap, closest};
+use super::chain::Chain;
+use super::gap::{Axis, CONTACT};
+use super::moving::Moving;
 use super::scene::{Piece, Scene};
 
 /// The share of the way to which contact is found.
@@ -64,68 +61,58 @@ impl Sweep {
         safe: &mut [f64],
     ) -> Stop {
         let dispatch = chain.dispatch();
+        let other =
+            other.map(|capsule| (Axis::from(capsule.segment), self.radius + capsule.radius));
+        safe.fill(start);
+        // What limited one link is likely to limit its neighbours, and then little else is compared with them.
+        let mut likely = None;
         dispatch.run(
             #[inline(always)]
-            || self.advance_inline(chain, start, end, other, safe),
+            || loop {
+                let (first, share) = first_of(safe);
+                if share >= end {
+                    return Stop { share: end, met: None };
+                }
+                chain.place(share);
+                let moving = Moving::new(chain, first);
+                let Limit { time, met } =
+                    self.limit(&moving, end - share, other.as_ref(), &mut likely);
+                if time <= PRECISION && met.is_some() && moving.reach(time) <= NEARNESS {
+                    return Stop { share, met };
+                }
+                safe[first] = share + time;
+                // As the chain is laid, all links are looked at that would be before this one is again. Among 10
+                // obstacles that is 57 looks in 7 rounds; one link each time took 52 looks, and a laying for each.
+                for (link, safe) in safe.iter_mut().enumerate() {
+                    if *safe < share + time && link != first {
+                        let moving = Moving::new(chain, link);
+                        let limit = self.limit(&moving, end - share, other.as_ref(), &mut likely);
+                        *safe = share + limit.time;
+                    }
+                }
+            },
         )
     }
 
-    #[inline(always)]
-    fn advance_inline(
-        &self,
-        chain: &mut Chain,
-        start: f64,
-        end: f64,
-        other: Option<&Capsule>,
-        safe: &mut [f64],
-    ) -> Stop {
-        safe.fill(start);
-        let other =
-            other.map(|capsule| (Axis::from(capsule.segment), self.radius + capsule.radius));
-        // What limited one link is likely to limit its neighbours, and then little else is compared with them.
-        let mut likely = None;
-        loop {
-            let (first, share) = first_of(safe);
-            if share >= end {
-                return Stop { share: end, met: None };
-            }
-            chain.place_inline(share, safe.len());
-            let moving = Moving::new(chain, first);
-            let (open, met) = self.open(&moving, end - share, other.as_ref(), &mut likely);
-            if open <= PRECISION && met.is_some() && moving.reach(open) <= NEARNESS {
-                return Stop { share, met };
-            }
-            safe[first] = share + open;
-            // As the chain is laid, all links are looked at that would be before this one is again. Among 10
-            // obstacles that is 57 looks in 7 rounds; one link each time took 52 looks, and a laying for each.
-            for (link, safe) in safe.iter_mut().enumerate() {
-                if *safe < share + open && link != first {
-                    let moving = Moving::new(chain, link);
-                    *safe = share + self.open(&moving, end - share, other.as_ref(), &mut likely).0;
-                }
-            }
-        }
-    }
-
-    /// For how long a link, placed with all before it, is safe, at most `longest`; and what ends that.
+    /// For how long a link is safe, at most `longest`; and what ends that.
     ///
     /// `likely` is the piece that limited another, and becomes the one that limits this.
     #[inline(always)]
-    fn open(
+    fn limit(
         &self,
         moving: &Moving,
         longest: f64,
         other: Option<&(Axis, f64)>,
         likely: &mut Option<usize>,
-    ) -> (f64, Option<Met>) {
+    ) -> Limit {
+        let mut limit = Limit { time: longest, met: None };
         let first = *likely;
-        let mut limit = Limit { open: longest, met: None };
         if let Some(index) = first {
             limit.look(moving, self.scene.piece(index), self.radius);
         }
         // What is out of reach until then is not looked at. Nor is it later: which pieces are compared must not depend
         // on the order in which they are found.
-        let bounds = moving.swept(limit.open, self.radius + 2.0 * CONTACT);
+        let bounds = moving.swept(limit.time, self.radius + 2.0 * CONTACT);
         self.scene.within(
             &bounds,
             #[inline(always)]
@@ -135,232 +122,46 @@ impl Sweep {
                 }
             },
         );
-        let Limit { mut open, mut met } = limit;
-        if let Some((axis, apart)) = other
-            && let Some(time) = moving.clear_of(axis, *apart, open)
-        {
-            (open, met) = (time, Some(Met::Other));
+        if let Some((axis, apart)) = other {
+            limit.by(moving.clear_of(axis, *apart, limit.time), Met::Other);
         }
         if self.self_contact {
             for earlier in 0..moving.link.saturating_sub(1) {
-                if let Some(time) = moving.clear_of_link(earlier, 2.0 * self.radius, open) {
-                    (open, met) = (time, Some(Met::Link(earlier)));
-                }
+                let time = moving.clear_of_link(earlier, 2.0 * self.radius, limit.time);
+                limit.by(time, Met::Link(earlier));
             }
         }
-        (open, met)
+        limit
     }
 }
 
 /// For how long a link is safe, and what ends that.
 struct Limit {
-    open: f64,
+    time: f64,
     met: Option<Met>,
 }
 
 impl Limit {
+    /// Takes the shorter time of something else, if it is; returns whether it is.
+    #[inline(always)]
+    fn by(&mut self, shorter: Option<f64>, met: Met) -> bool {
+        if let Some(time) = shorter {
+            *self = Self { time, met: Some(met) };
+        }
+        shorter.is_some()
+    }
+
     /// Looks at a piece; returns whether it limits the link more than what was looked at before.
     #[inline(always)]
     fn look(&mut self, moving: &Moving, piece: &Piece, radius: f64) -> bool {
-        let time = moving.clear_of(&piece.axis, radius + piece.radius, self.open);
-        if let Some(time) = time {
-            *self = Self { open: time, met: Some(Met::Obstacle(piece.obstacle)) };
-        }
-        time.is_some()
+        let time = moving.clear_of(&piece.axis, radius + piece.radius, self.time);
+        self.by(time, Met::Obstacle(piece.obstacle))
     }
 }
 
-/// The link that is safe for the shortest, and for how long.
+/// The link that is safe for the shortest, and until when.
 #[inline(always)]
 fn first_of(safe: &[f64]) -> (usize, f64) {
-    let (chunks, rest) = safe.as_chunks::<4>();
-    let mut least = [f64::INFINITY; 4];
-    for chunk in chunks {
-        for (least, &until) in least.iter_mut().zip(chunk) {
-            *least = if until < *least { until } else { *least };
-        }
-    }
-    let until = least.iter().chain(rest).fold(f64::INFINITY, |least, &each| least.min(each));
-    (safe.iter().position(|&each| each == until).unwrap_or(0), until)
-}
-
-/// A link at some moment: where its ends are, how they move, and how much that can change.
-struct Moving<'a> {
-    chain: &'a Chain,
-    link: usize,
-    axis: Axis,
-    ends: [&'a Joint; 2],
-}
-
-impl<'a> Moving<'a> {
-    #[inline(always)]
-    fn new(chain: &'a Chain, link: usize) -> Self {
-        let ends = [link, link + 1].map(|joint| chain.joint(joint));
-        Self { chain, link, axis: chain.axis(link), ends }
-    }
-
-    /// No point of the link gets farther than this in that time.
-    #[inline(always)]
-    fn reach(&self, time: f64) -> f64 {
-        let squares = self.ends.map(|end| end.velocity.length_squared());
-        squares[0].max(squares[1]).sqrt() * time + self.bend(time)
-    }
-
-    /// No point of the link gets farther than this from where it would be at its velocity now.
-    #[inline(always)]
-    fn bend(&self, time: f64) -> f64 {
-        0.5 * self.chain.acceleration(0, self.link + 1) * time * time
-    }
-
-    /// A box that the link's axis does not leave in that time, and so much more around it.
-    #[inline(always)]
-    fn swept(&self, time: f64, around: f64) -> Aabb {
-        let [one, other] = self.ends;
-        let (a, b) = (one.at + one.velocity * time, other.at + other.velocity * time);
-        let margin = Vector::splat(self.bend(time) + around);
-        Aabb::new(
-            one.at.min(other.at).min(a.min(b)) - margin,
-            one.at.max(other.at).max(a.max(b)) + margin,
-        )
-    }
-
-    /// For how long the link's axis stays `apart` from a segment; None if that is as long as `open`.
-    #[inline(always)]
-    fn clear_of(&self, segment: &Axis, apart: f64, open: f64) -> Option<f64> {
-        let chain = self.chain;
-        let found = closest(&self.axis, segment);
-        let normal = found.normal;
-        // The half plane that the segment keeps to, whatever rounding did to the normal.
-        let side = normal.dot(segment.a).max(normal.dot(segment.b)) + apart + CONTACT;
-        let gap = |joint: usize, end: &Joint| Gap {
-            width: normal.dot(end.at) - side,
-            closing: -normal.dot(end.velocity),
-            acceleration: chain.acceleration(0, joint),
-        };
-        let gaps = [gap(self.link, self.ends[0]), gap(self.link + 1, self.ends[1])];
-        if gaps.iter().all(|gap| gap.is_open_for(open)) {
-            return None;
-        }
-        let time = gaps[0].open_for().min(gaps[1].open_for());
-        if found.end_of == 0 {
-            return (time < open).then_some(time);
-        }
-        // A corner at the link's side.
-        let end = |at: Vector| Point {
-            at,
-            velocity: Vector::ZERO,
-            farthest: at.length() + chain.length(0, self.link),
-            fastest: chain.speed(0, self.link),
-            acceleration: chain.acceleration(0, self.link),
-        };
-        let time =
-            time.max(Side::of(chain, self.link).clear_of([end(segment.a), end(segment.b)], apart));
-        (time < open).then_some(time)
-    }
-
-    /// For how long the link's axis stays `apart` from that of an earlier link of the chain; None if that is as
-    /// long as `open`.
-    #[inline(always)]
-    fn clear_of_link(&self, earlier: usize, apart: f64, open: f64) -> Option<f64> {
-        let chain = self.chain;
-        let axis = chain.axis(earlier);
-        let between = self.axis.a + self.axis.b - axis.a - axis.b;
-        let reach =
-            chain.speed(earlier, self.link + 1) * open + self.axis.length + apart + 2.0 * CONTACT;
-        if between.length_squared() > 4.0 * reach * reach {
-            return None;
-        }
-        let found = closest(&self.axis, &axis);
-        let normal = found.normal;
-        let mut time = f64::INFINITY;
-        for joint in [earlier, earlier + 1] {
-            let its = chain.joint(joint);
-            for (own, end) in [(self.link, self.ends[0]), (self.link + 1, self.ends[1])] {
-                let gap = Gap {
-                    width: normal.dot(end.at - its.at) - apart - CONTACT,
-                    closing: normal.dot(its.velocity - end.velocity),
-                    acceleration: chain.acceleration(joint, own),
-                };
-                if !gap.is_open_for(open) {
-                    time = time.min(gap.open_for());
-                }
-            }
-        }
-        if time >= open {
-            return None;
-        }
-        // One's end at the other's side.
-        let (turning, other) =
-            if found.end_of == 0 { (earlier, self.link) } else { (self.link, earlier) };
-        let end = |joint: usize| {
-            let (first, last) = (turning.min(joint), turning.max(joint));
-            let Joint { at, velocity, .. } = *chain.joint(joint);
-            Point {
-                at,
-                velocity,
-                farthest: chain.length(first, last),
-                fastest: chain.speed(first, last),
-                acceleration: chain.acceleration(first, last),
-            }
-        };
-        let time = time.max(Side::of(chain, turning).clear_of([end(other), end(other + 1)], apart));
-        (time < open).then_some(time)
-    }
-}
-
-/// A point that a link's side must not reach, and what is known of it as seen from the link's near joint.
-struct Point {
-    at: Vector,
-    velocity: Vector,
-    /// It is never farther away,
-    farthest: f64,
-    /// never faster,
-    fastest: f64,
-    /// and its acceleration is never more.
-    acceleration: f64,
-}
-
-/// The line through a link, which turns with it.
-///
-/// Where a corner or a disc is at a link's side, the side is what the link touches it with. A line that does not turn would
-/// separate them only until the faster end of the link crosses it.
-struct Side<'a> {
-    joint: &'a Joint,
-    normal: Vector,
-    /// How the normal changes.
-    turning: Vector,
-    rate: f64,
-}
-
-impl<'a> Side<'a> {
-    #[inline(always)]
-    fn of(chain: &'a Chain, link: usize) -> Self {
-        let joint = chain.joint(link);
-        let rate = chain.rate(link);
-        Self {
-            joint,
-            normal: Vector::new(-joint.direction.y, joint.direction.x),
-            turning: joint.direction * -rate,
-            rate: rate.abs(),
-        }
-    }
-
-    /// For how long two points, both on one side, stay `apart` from the line.
-    #[inline(always)]
-    fn clear_of(&self, points: [Point; 2], apart: f64) -> f64 {
-        let between = points[0].at - self.joint.at;
-        let sign = if self.normal.dot(between) < 0.0 { -1.0 } else { 1.0 };
-        let open = |point: &Point| {
-            let away = point.at - self.joint.at;
-            let moved = self.normal.dot(point.velocity - self.joint.velocity);
-            let (rate, farthest) = (self.rate, point.farthest);
-            let gap = Gap {
-                width: sign * self.normal.dot(away) - apart - CONTACT,
-                closing: -sign * (self.turning.dot(away) + moved),
-                acceleration: rate * (rate * farthest + 2.0 * point.fastest) + point.acceleration,
-            };
-            gap.open_for()
-        };
-        open(&points[0]).min(open(&points[1]))
-    }
+    let all = safe.iter().copied().enumerate();
+    all.fold((0, f64::INFINITY), |first, each| if each.1 < first.1 { each } else { first })
 }

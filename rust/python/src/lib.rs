@@ -18,6 +18,8 @@ mod goals;
 mod inverse;
 mod kdtree;
 mod obstructed_arm;
+#[allow(dead_code)]
+mod parts;
 mod push_arm;
 mod random;
 

@@ -1,23 +1,28 @@
-"""Bandits: strategies that choose among others by what these have achieved.
+"""Bandits: strategies that choose among others by the rewards that these have earned.
 
-A `Bandit` has three parts. Credits: `CoverageGain`, `Gain`, `CompetenceProgress`,
-`FunctionCredit`. Memories: `Window`, `RecentWindow`, `Discounted`, `WholePast`. Rules:
-`Proportional`, `EpsilonGreedy`, `Softmax`, `UCB`, `Thompson`, `Exp3`, `Exp3S`, `RoundRobin`,
-`Uniform`. By name: `Adapt`, the paper's, `ucb1`, `sliding_window_ucb`, `discounted_ucb`;
+A `Bandit` has three parts. Rewards: `Gain`, `CompetenceProgress`, `FunctionReward`. Estimators:
+`Window`, `RecentWindow`, `Discounted`, `WholePast`. Policies: `Proportional`, `EpsilonGreedy`,
+`Softmax`, `UCB`, `Thompson`, `Exp3`, `Exp3S`, `RoundRobin`, `Uniform`. By name: `Adapt`, the
+paper's, `ucb1`, `sliding_window_ucb`, `discounted_ucb`, `discounted_adapt`, `discounted_greedy`;
 `default_strategy`, the library's own composition.
 """
 
 from divbandit.bandits.adapt import Adapt
 from divbandit.bandits.bandit import Bandit
-from divbandit.bandits.credits import (
-    CompetenceProgress,
-    CoverageGain,
-    Credit,
-    FunctionCredit,
-    Gain,
-)
 from divbandit.bandits.default import default_strategies, default_strategy
-from divbandit.bandits.memories import Discounted, Memory, RecentWindow, WholePast, Window
+from divbandit.bandits.estimators import Discounted, Estimator, RecentWindow, WholePast, Window
+from divbandit.bandits.policies import (
+    UCB,
+    EpsilonGreedy,
+    Exp3,
+    Exp3S,
+    Policy,
+    Proportional,
+    RoundRobin,
+    Softmax,
+    Thompson,
+    Uniform,
+)
 from divbandit.bandits.published import (
     discounted_adapt,
     discounted_greedy,
@@ -25,37 +30,25 @@ from divbandit.bandits.published import (
     sliding_window_ucb,
     ucb1,
 )
-from divbandit.bandits.rules import (
-    UCB,
-    EpsilonGreedy,
-    Exp3,
-    Exp3S,
-    Proportional,
-    RoundRobin,
-    Rule,
-    Softmax,
-    Thompson,
-    Uniform,
-)
+from divbandit.bandits.rewards import CompetenceProgress, FunctionReward, Gain, Reward
 
 __all__ = [
     "UCB",
     "Adapt",
     "Bandit",
     "CompetenceProgress",
-    "CoverageGain",
-    "Credit",
     "Discounted",
     "EpsilonGreedy",
+    "Estimator",
     "Exp3",
     "Exp3S",
-    "FunctionCredit",
+    "FunctionReward",
     "Gain",
-    "Memory",
+    "Policy",
     "Proportional",
     "RecentWindow",
+    "Reward",
     "RoundRobin",
-    "Rule",
     "Softmax",
     "Thompson",
     "Uniform",

@@ -1,63 +1,77 @@
-"""Adapt: the paper's algorithm, strategies chosen in proportion to their diversity."""
+"""Adapt: the paper's algorithm, strategies chosen in proportion to their diversity.
+
+ADAPT(w, tau, alpha) (Benureau and Oudeyer, ICDL-EpiRob 2015), at each step:
+
+1. *Choose.* With probability alpha a strategy uniformly at random; otherwise strategy j with
+   probability proportional to its diversity (uniformly where all are zero).
+2. *Try.* The strategy proposes a motor command x; the environment answers with an effect y = f(x).
+3. *Reward.* The gain of the effect is div_tau(y, E) = C_tau(E + y) - C_tau(E): the area by which
+   its disc of radius tau enlarges the union of the discs around all effects E observed before,
+   whichever strategy produced them.
+4. *Remember.* The diversity of the strategy is the mean gain of the last w effects that it produced.
+   A head start of k fictitious gains of a whole disc comes first, so that all are tried.
+"""
 
 from __future__ import annotations
 
-import copy
-from typing import TYPE_CHECKING, cast
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from divbandit._checks import real, whole
-from divbandit._engine import NotBuiltInError
-from divbandit.bandits.bandit import Bandit
-from divbandit.bandits.credits import CoverageGain, Gain
-from divbandit.bandits.memories import Window
-from divbandit.bandits.memories.base import LONGEST
-from divbandit.bandits.rules import Proportional
-from divbandit.measures import Coverage
-from divbandit.measures.template import copy_of
-from divbandit.strategies.composite import Composite
+from divbandit._core import powers, proportionally
+from divbandit.bandits.bandit import RewardedValue, tau_or_reward
+from divbandit.bandits.estimators import Window
+from divbandit.bandits.running import RunningBandit
+from divbandit.strategies.composite import strategies_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from divbandit._engine import Description
-    from divbandit.measures import Measure
-    from divbandit.strategies.base import Strategy
+    import numpy as np
+    from numpy.random import Generator
+    from numpy.typing import NDArray
+
+    from divbandit.bandits.bandit import Rewarding
+    from divbandit.bandits.rewards import Reward
+    from divbandit.history import History
+    from divbandit.strategies.base import Starter, Strategy
+    from divbandit.strategies.trial import Trial
 
 
 #: The paper's radius of the discs.
 _TAU = 0.02
 
 
-class Adapt(Bandit):
+@dataclass(frozen=True, init=False, repr=False)
+class Adapt(RewardedValue):
     """ADAPT(w, tau, alpha) (Benureau and Oudeyer 2015, figures 3 and 4).
 
     With probability alpha a strategy uniformly at random; otherwise strategy j with probability
     proportional to its diversity, the mean gain of the last w effects that it produced. The gain
     of an effect is the area that its disc of radius tau adds to those of all effects observed
-    before it, whoever produced them; or what another measure of diversity makes of it.
+    before it, whichever strategy produced them; or what another reward makes of it.
 
     Parameters
     ----------
     strategies : iterable of Strategy
         Those to choose among; they may be bandits themselves.
-    tau : float
-        Radius of the discs, in the units of the effects; positive. The default is the paper's,
+    tau : float, optional
+        Radius of the discs, in the units of the effects; positive. 0.02 by default, the paper's,
         for effects of the order of 1. Where it is far too small every effect gains a whole disc,
-        where far too large none gains anything: then the diversities say nothing. Effects beyond
+        where far too large none gains anything: then all strategies look alike. Effects beyond
         the plane have balls instead of discs, in the dimensions that `Coverage` takes.
+    reward : Reward or callable, optional
+        In place of the discs' area, for instance ``Gain(divbandit.measures.GridCoverage(0.05))``,
+        or a function ``(effect, history) -> float``. A strategy whose mean reward is negative counts
+        as one of diversity 0.
     window : int
         w, how many gains a strategy's diversity is averaged over; from 1 to a million.
     alpha : float
         Share of choices made uniformly at random, in [0, 1].
     head_start : int
-        How many fictitious gains of a whole disc come first in each window, from 0 to `window`;
-        of `measure`'s `largest_gain` where one is given. With 0 all strategies begin with
-        diversity 0 and are chosen uniformly until one gains.
-    measure : Measure, optional
-        What gains are measured by in place of the discs' area, for instance
-        ``db.GridCoverage(0.05, dim=3)``: an empty one, of which each exploration takes a copy.
-        `tau` then says nothing, and must be left at its default. A strategy whose mean gain is
-        negative, as with `Entropy`, counts as one of diversity 0 when Adapt chooses.
+        How many fictitious gains of a whole disc, or of the largest reward, come first in each
+        window, from 0 to `window`. With 0 all strategies begin with diversity 0 and are chosen
+        uniformly until one gains.
     power : float
         Not negative. Strategies are chosen in proportion to this power of their diversity; 1 is the
         paper's.
@@ -66,100 +80,80 @@ class Adapt(Bandit):
     ----------
     strategies : tuple of Strategy
     tau : float or None
-        None where a measure was given.
-    window, alpha, head_start, power
+        None where a reward was given.
+    reward, window, alpha, head_start, power
         As given.
-    measure : Measure or None
-        A copy of the one given, empty; None for the discs' area.
-    credit, memory, rule
-        The parts that this `Bandit` is made of.
 
     Raises
     ------
     TypeError, ValueError
-        If a strategy is none, a number is out of range, `measure` is no measure or not empty, or
-        `tau` is given as well.
+        If a strategy is not one, a number is out of range, or `tau` and `reward` are both given.
 
     Examples
     --------
     >>> import divbandit as db
     >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
     >>> run = db.explore(db.PlanarArm(20), adapt, n=1000, rng=0)
-    >>> run.diversities.shape
+    >>> run.estimates.shape
     (1000, 2)
-    >>> adapt = db.Adapt(adapt.strategies, measure=db.GridCoverage(0.05))
-    >>> run = db.explore(db.PlanarArm(20), adapt, n=1000, rng=0)
-    >>> float(run.diversities[0, 0])
-    1.0
     """
+
+    strategies: tuple[Strategy, ...]
+    tau: float | None
+    reward: Reward | None
+    window: int
+    alpha: float
+    head_start: int
+    power: float
 
     def __init__(
         self,
         strategies: Iterable[Strategy],
         *,
-        tau: float = _TAU,
+        tau: float | None = None,
+        reward: Rewarding | None = None,
         window: int = 50,
         alpha: float = 0.1,
         head_start: int = 1,
-        measure: Measure | None = None,
         power: float = 1.0,
     ) -> None:
-        Composite.__init__(self, strategies)
-        self.tau: float | None = None
-        self.measure = None if measure is None else copy_of("measure", measure)
-        if self.measure is None:
-            self.tau = Coverage(tau).tau
-        elif real("tau", tau) != _TAU:
-            raise ValueError(f"tau must not be given together with a measure, got {tau!r}")
-        self.window = whole("window", window, low=1, high=LONGEST)
-        self._alpha = real("alpha", alpha, low=0.0, high=1.0)
-        self.head_start = whole("head_start", head_start, low=0, high=self.window)
-        self.power = real("power", power, low=0.0)
-        self._begin(None)
-
-    @property
-    def alpha(self) -> float:
-        """Share of choices made uniformly at random."""
-        return self._alpha
-
-    @alpha.setter
-    def alpha(self, alpha: float) -> None:
-        self._alpha = alpha
-        rule = copy.copy(self._rule)  # which a copy of this object may share
-        rule.alpha = alpha
-        rule.begin(len(self.strategies), self._largest)
-        self._rule = rule
-
-    @property
-    def credit(self) -> CoverageGain | Gain:  # type: ignore[override]
-        """`CoverageGain` of tau, or `Gain` by the measure."""
-        if self.measure is None:
-            return CoverageGain.asked_by("Adapt", cast("float", self.tau))
-        return Gain(self.measure)
-
-    @property
-    def memory(self) -> Window:  # type: ignore[override]
-        """`Window`, with the head start."""
-        return Window(self.window, head_start=self.head_start)
-
-    @property
-    def rule(self) -> Proportional:  # type: ignore[override]
-        """`Proportional`, with alpha and power."""
-        return Proportional(self.alpha, power=self.power)
-
-    def _describe(self, description: Description) -> int:
-        parts = description.add_all(self.strategies)
-        measure = self.credit.empty(description.effect_dim)
-        if type(measure) is not Coverage:
-            raise NotBuiltInError("measure", type(measure).__name__)
-        return description.engine.adapt(
-            parts, measure, self.window, self.alpha, self.head_start, self.power
+        every = strategies_of(strategies)
+        radius, paid = tau_or_reward(_TAU if tau is reward is None else tau, reward)
+        size = whole("window", window, low=1, high=Window.LONGEST)
+        self._set(
+            strategies=every,
+            tau=radius,
+            reward=paid,
+            window=size,
+            alpha=real("alpha", alpha, low=0.0, high=1.0),
+            head_start=whole("head_start", head_start, low=0, high=size),
+            power=real("power", power, low=0.0),
         )
 
-    def __repr__(self) -> str:
-        by = f"tau={self.tau!r}" if self.measure is None else f"measure={self.measure!r}"
-        power = "" if self.power == 1.0 else f", power={self.power!r}"
-        return (
-            f"Adapt({list(self.strategies)!r}, {by}, window={self.window!r}, "
-            f"alpha={self.alpha!r}, head_start={self.head_start!r}{power})"
-        )
+    def start(self, start: Starter) -> Strategy:
+        """Return ADAPT under way."""
+        return _Adapting(self, start)
+
+
+class _Adapting(RunningBandit):
+    """ADAPT under way: `estimator` holds the last w gains of each strategy."""
+
+    def __init__(self, adapt: Adapt, start: Starter) -> None:
+        window = Window(adapt.window, head_start=adapt.head_start)
+        super().__init__(adapt.strategies, adapt.rewarding, window, start)
+        self._alpha, self._power = adapt.alpha, adapt.power
+
+    def choose(self, history: History, rng: Generator) -> int:
+        """Return the strategy that is to propose next: two ``rng.random()``."""
+        del history
+        diversities = self.estimator.means
+        uniformly, u = rng.random() < self._alpha, rng.random()
+        if uniformly:
+            return int(u * len(diversities))
+        return proportionally(powers(diversities, self._power), u)
+
+    def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:
+        """Reward the strategy that proposed the trial with the gain of its effect."""
+        gain = self.reward_of(trial, effect)
+        self.strategies[trial.path[0]].observe(trial.inner, effect)  # type: ignore[arg-type]
+        self.estimator.add(trial.path[0], gain)

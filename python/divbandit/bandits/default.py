@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from divbandit.bandits.adapt import Adapt
-from divbandit.strategies import GoalBabbling, LocalJacobian, MotorBabbling, UntriedGoals
+from divbandit.goals import UntriedGoals
+from divbandit.inverse import LocalJacobian
+from divbandit.strategies import GoalBabbling, MotorBabbling
 
 if TYPE_CHECKING:
     from divbandit.box import BoxLike
@@ -13,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
-    """Return the library's own composition, which needs to be told no more than `tau`.
+    """Return the library's own composition, which needs no more than `tau`.
 
     `Adapt` chooses between the two `default_strategies`, motor babbling and goals a little beyond
     what is covered, with a longer window than the paper's and in proportion to a high power of the
@@ -31,8 +33,7 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
 
     where discs around all that the arm can reach would cover 3.27. It is made for many motor
     coordinates, few effect coordinates and maps that are smooth at the scale of tau. An exploration
-    of few steps gains little from it. A step costs some three times as much as one of ADAPT in
-    Python, and it does not run in the engine.
+    of few steps gains little from it.
 
     Parameters
     ----------
@@ -66,7 +67,7 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
 
 
 def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Strategy]:
-    """Return what `default_strategy` chooses among, for a bandit of one's own.
+    """Return what `default_strategy` chooses among, for another bandit.
 
     Motor babbling, without which others stay where they began; and `GoalBabbling` with
     `UntriedGoals` and `LocalJacobian`: goals a little beyond effects from which going on was tried
@@ -91,13 +92,10 @@ def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Stra
     Examples
     --------
     >>> import divbandit as db
-    >>> from divbandit.bandits import CoverageGain, Discounted, EpsilonGreedy
-    >>> strategies = [*db.default_strategies(0.02), db.GoalBabbling(0.05)]
+    >>> from divbandit.bandits import Discounted, EpsilonGreedy, default_strategies
+    >>> strategies = [*default_strategies(0.02), db.GoalBabbling(0.05)]
     >>> bandit = db.Bandit(
-    ...     strategies,
-    ...     credit=CoverageGain(0.02),
-    ...     memory=Discounted(0.995),
-    ...     rule=EpsilonGreedy(0.02),
+    ...     strategies, tau=0.02, estimator=Discounted(0.995), policy=EpsilonGreedy(0.02)
     ... )
     >>> run = db.explore(db.PlanarArm(20), bandit, n=100, rng=0)
     """

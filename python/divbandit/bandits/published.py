@@ -5,29 +5,30 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from divbandit.bandits.bandit import Bandit
-from divbandit.bandits.credits import CoverageGain
-from divbandit.bandits.memories import Discounted, RecentWindow, WholePast
-from divbandit.bandits.rules import UCB, EpsilonGreedy, Proportional
+from divbandit.bandits.estimators import Discounted, RecentWindow, WholePast
+from divbandit.bandits.policies import UCB, EpsilonGreedy, Proportional
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from divbandit.bandits.bandit import Creditor
+    from divbandit.bandits.bandit import Rewarding
     from divbandit.strategies.base import Strategy
 
 
-def ucb1(strategies: Iterable[Strategy], *, credit: Creditor | None = None) -> Bandit:
+def ucb1(
+    strategies: Iterable[Strategy], *, tau: float | None = None, reward: Rewarding | None = None
+) -> Bandit:
     """Return UCB1: the strategy with the largest m_j + B sqrt(2 ln t / n_j).
 
     Auer, Cesa-Bianchi and Fischer (2002, "Finite-time Analysis of the Multiarmed Bandit Problem",
-    Machine Learning 47, 235-256), for credits up to B: of t credits strategy j has earned n_j, of
+    Machine Learning 47, 235-256), for rewards up to B: of t rewards strategy j has earned n_j, of
     mean m_j.
 
     Parameters
     ----------
     strategies : iterable of Strategy
-    credit : Credit or callable, optional
-        By default ``CoverageGain()``, the paper's discs.
+    tau, reward
+        What strategies are rewarded for, as in `Bandit`: exactly one of the two.
 
     Returns
     -------
@@ -37,13 +38,13 @@ def ucb1(strategies: Iterable[Strategy], *, credit: Creditor | None = None) -> B
     --------
     >>> import divbandit as db
     >>> from divbandit.bandits import ucb1
-    >>> bandit = ucb1([db.MotorBabbling(), db.GoalBabbling(0.05)])
-    >>> bandit.memory, bandit.rule
+    >>> bandit = ucb1([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+    >>> bandit.estimator, bandit.policy
     (WholePast(), UCB(2.0))
     >>> sorted(db.explore(db.PlanarArm(20), bandit, n=2, rng=0).choices.tolist())
     [0, 1]
     """
-    return Bandit(strategies, credit=_or_coverage(credit), memory=WholePast(), rule=UCB(2.0))
+    return Bandit(strategies, estimator=WholePast(), policy=UCB(2.0), tau=tau, reward=reward)
 
 
 def sliding_window_ucb(
@@ -51,12 +52,13 @@ def sliding_window_ucb(
     *,
     window: int,
     xi: float = 0.6,
-    credit: Creditor | None = None,
+    tau: float | None = None,
+    reward: Rewarding | None = None,
 ) -> Bandit:
     """Return SW-UCB: the strategy with the largest m_j + B sqrt(xi ln(min(t, w)) / n_j).
 
     Garivier and Moulines (2008, "On Upper-Confidence Bound Policies for Non-Stationary Bandit
-    Problems"; 2011, ALT, 174-188), for credits up to B: of the last w of t credits strategy j has
+    Problems"; 2011, ALT, 174-188), for rewards up to B: of the last w of t rewards strategy j has
     earned n_j, of mean m_j.
 
     Parameters
@@ -66,8 +68,8 @@ def sliding_window_ucb(
         w, from 1 to a million.
     xi : float
         Not negative; their analysis is for more than 1/2.
-    credit : Credit or callable, optional
-        By default ``CoverageGain()``, the paper's discs.
+    tau, reward
+        What strategies are rewarded for, as in `Bandit`: exactly one of the two.
 
     Returns
     -------
@@ -78,12 +80,12 @@ def sliding_window_ucb(
     >>> import divbandit as db
     >>> from divbandit.bandits import sliding_window_ucb
     >>> babblings = [db.MotorBabbling(), db.GoalBabbling(0.05)]
-    >>> bandit = sliding_window_ucb(babblings, window=200)
-    >>> bandit.memory, bandit.rule
+    >>> bandit = sliding_window_ucb(babblings, window=200, tau=0.02)
+    >>> bandit.estimator, bandit.policy
     (RecentWindow(200), UCB(0.6))
     """
-    memory = RecentWindow(window)
-    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=UCB(xi))
+    estimator = RecentWindow(window)
+    return Bandit(strategies, estimator=estimator, policy=UCB(xi), tau=tau, reward=reward)
 
 
 def discounted_ucb(
@@ -91,12 +93,13 @@ def discounted_ucb(
     *,
     gamma: float,
     xi: float = 0.6,
-    credit: Creditor | None = None,
+    tau: float | None = None,
+    reward: Rewarding | None = None,
 ) -> Bandit:
     """Return D-UCB: the strategy with the largest m_j + 2 B sqrt(xi ln(n) / n_j).
 
     Garivier and Moulines (2008, "On Upper-Confidence Bound Policies for Non-Stationary Bandit
-    Problems"; 2011, ALT, 174-188), for credits up to B: one that is k credits old weighs gamma^k;
+    Problems"; 2011, ALT, 174-188), for rewards up to B: one that is k rewards old weighs gamma^k;
     n_j is the weight of those of strategy j, m_j their mean and n the weight of all.
 
     Parameters
@@ -106,8 +109,8 @@ def discounted_ucb(
         In (0, 1].
     xi : float
         Not negative; their analysis is for more than 1/2.
-    credit : Credit or callable, optional
-        By default ``CoverageGain()``, the paper's discs.
+    tau, reward
+        What strategies are rewarded for, as in `Bandit`: exactly one of the two.
 
     Returns
     -------
@@ -117,12 +120,13 @@ def discounted_ucb(
     --------
     >>> import divbandit as db
     >>> from divbandit.bandits import discounted_ucb
-    >>> bandit = discounted_ucb([db.MotorBabbling(), db.GoalBabbling(0.05)], gamma=0.99, xi=0.5)
-    >>> bandit.memory, bandit.rule  # 2 sqrt(xi) is sqrt(4 xi)
+    >>> babblings = [db.MotorBabbling(), db.GoalBabbling(0.05)]
+    >>> bandit = discounted_ucb(babblings, gamma=0.99, xi=0.5, tau=0.02)
+    >>> bandit.estimator, bandit.policy  # 2 sqrt(xi) is sqrt(4 xi)
     (Discounted(0.99), UCB(2.0))
     """
-    memory, rule = Discounted(gamma), UCB(4.0 * UCB(xi).xi)
-    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
+    estimator, policy = Discounted(gamma), UCB(4.0 * UCB(xi).xi)
+    return Bandit(strategies, estimator=estimator, policy=policy, tau=tau, reward=reward)
 
 
 def discounted_adapt(
@@ -131,9 +135,10 @@ def discounted_adapt(
     gamma: float = 0.99,
     alpha: float = 0.05,
     power: float = 8.0,
-    credit: Creditor | None = None,
+    tau: float | None = None,
+    reward: Rewarding | None = None,
 ) -> Bandit:
-    """Return ADAPT with a memory that fades with time, and a sharper choice.
+    """Return ADAPT with an estimator that discounts the past, and a sharper choice.
 
     The paper's window holds a strategy's own last gains, and those of one that is seldom chosen
     are old; and its proportional choice tells apart little where gains are alike. In the three
@@ -148,9 +153,9 @@ def discounted_adapt(
     alpha : float
         Share of choices made uniformly at random, in [0, 1].
     power : float
-        Of the mean credit, to which the other choices are in proportion. Not negative.
-    credit : Credit or callable, optional
-        By default ``CoverageGain()``, the paper's discs.
+        Of the mean reward, to which the other choices are in proportion. Not negative.
+    tau, reward
+        What strategies are rewarded for, as in `Bandit`: exactly one of the two.
 
     Returns
     -------
@@ -160,12 +165,12 @@ def discounted_adapt(
     --------
     >>> import divbandit as db
     >>> from divbandit.bandits import discounted_adapt
-    >>> bandit = discounted_adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
-    >>> bandit.memory, bandit.rule
+    >>> bandit = discounted_adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+    >>> bandit.estimator, bandit.policy
     (Discounted(0.99, head_start=1), Proportional(0.05, power=8.0))
     """
-    memory, rule = Discounted(gamma, head_start=1), Proportional(alpha, power=power)
-    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
+    estimator, policy = Discounted(gamma, head_start=1), Proportional(alpha, power=power)
+    return Bandit(strategies, estimator=estimator, policy=policy, tau=tau, reward=reward)
 
 
 def discounted_greedy(
@@ -173,7 +178,8 @@ def discounted_greedy(
     *,
     gamma: float = 0.995,
     epsilon: float = 0.02,
-    credit: Creditor | None = None,
+    tau: float | None = None,
+    reward: Rewarding | None = None,
 ) -> Bandit:
     """Return a greedy bandit that forgets: the best mean of late, but for a share of the choices.
 
@@ -188,8 +194,8 @@ def discounted_greedy(
         In (0, 1]; about 1 / (1 - gamma) steps are remembered.
     epsilon : float
         Share of choices made uniformly at random, in [0, 1].
-    credit : Credit or callable, optional
-        By default ``CoverageGain()``, the paper's discs.
+    tau, reward
+        What strategies are rewarded for, as in `Bandit`: exactly one of the two.
 
     Returns
     -------
@@ -199,13 +205,9 @@ def discounted_greedy(
     --------
     >>> import divbandit as db
     >>> from divbandit.bandits import discounted_greedy
-    >>> bandit = discounted_greedy([db.MotorBabbling(), db.GoalBabbling(0.05)])
-    >>> bandit.memory, bandit.rule
+    >>> bandit = discounted_greedy([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+    >>> bandit.estimator, bandit.policy
     (Discounted(0.995, head_start=1), EpsilonGreedy(0.02))
     """
-    memory, rule = Discounted(gamma, head_start=1), EpsilonGreedy(epsilon)
-    return Bandit(strategies, credit=_or_coverage(credit), memory=memory, rule=rule)
-
-
-def _or_coverage(credit: Creditor | None) -> Creditor:
-    return CoverageGain() if credit is None else credit
+    estimator, policy = Discounted(gamma, head_start=1), EpsilonGreedy(epsilon)
+    return Bandit(strategies, estimator=estimator, policy=policy, tau=tau, reward=reward)

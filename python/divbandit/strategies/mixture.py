@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
-from divbandit._core import as_point
-from divbandit.strategies.composite import Composite, proportionally, total_of
+from divbandit._core import as_point, proportionally
+from divbandit.strategies.composite import Composite, CompositeValue, strategies_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -14,12 +15,12 @@ if TYPE_CHECKING:
     from numpy.random import Generator
     from numpy.typing import ArrayLike
 
-    from divbandit._engine import Description
     from divbandit.history import History
-    from divbandit.strategies.base import Strategy
+    from divbandit.strategies.base import Starter, Strategy
 
 
-class Mixture(Composite):
+@dataclass(frozen=True, init=False, repr=False)
+class Mixture(CompositeValue):
     """Strategy j with probability p_j, always (Benureau and Oudeyer 2015, figure 4).
 
     Parameters
@@ -29,10 +30,15 @@ class Mixture(Composite):
         Not negative, at least one positive; the probabilities are proportional to them. Equal
         by default.
 
+    Attributes
+    ----------
+    strategies : tuple of Strategy
+    weights : tuple of float
+
     Raises
     ------
     TypeError, ValueError
-        If a strategy is none, or the weights do not fit.
+        If a strategy is not one, or the weights do not fit.
 
     Examples
     --------
@@ -42,25 +48,32 @@ class Mixture(Composite):
     (0.3, 0.7)
     """
 
+    strategies: tuple[Strategy, ...]
+    weights: tuple[float, ...]
+
     def __init__(self, strategies: Iterable[Strategy], *, weights: ArrayLike | None = None) -> None:
-        super().__init__(strategies)
-        count = len(self.strategies)
-        given = as_point("weights", [1.0] * count if weights is None else weights, count)
-        self.weights: tuple[float, ...] = tuple(given.tolist())
-        for index, weight in enumerate(self.weights):
+        every = strategies_of(strategies)
+        given = as_point("weights", [1.0] * len(every) if weights is None else weights, len(every))
+        for index, weight in enumerate(given.tolist()):
             if weight < 0:
                 raise ValueError(f"weights[{index}] must not be negative, got {weight!r}")
-        if not 0 < total_of(self.weights) < inf:
-            raise ValueError(f"weights must have a positive, finite sum, got {list(self.weights)}")
+        if not 0 < sum(given.tolist()) < inf:
+            raise ValueError(f"weights must have a positive, finite sum, got {given.tolist()}")
+        self._set(strategies=every, weights=tuple(given.tolist()))
+
+    def start(self, start: Starter) -> Strategy:
+        """Return the mixture over the parts that run."""
+        return _Mixing(map(start, self.strategies), self.weights)
+
+
+class _Mixing(Composite):
+    """A mixture under way."""
+
+    def __init__(self, strategies: Iterable[Strategy], weights: tuple[float, ...]) -> None:
+        super().__init__(strategies)
+        self._weights = weights
 
     def choose(self, history: History, rng: Generator) -> int:
         """Draw a strategy: one ``rng.random()``."""
         del history
-        return proportionally(self.weights, rng.random())
-
-    def _describe(self, description: Description) -> int:
-        parts = description.add_all(self.strategies)
-        return description.engine.mixture(parts, self.weights)
-
-    def __repr__(self) -> str:
-        return f"Mixture({list(self.strategies)!r}, weights={list(self.weights)!r})"
+        return proportionally(self._weights, rng.random())

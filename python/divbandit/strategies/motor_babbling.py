@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from divbandit.strategies.base import Strategy, Trial
+from divbandit.strategies.base import Starter, StrategyValue
+from divbandit.strategies.trial import Trial
 
 if TYPE_CHECKING:
     from numpy.random import Generator
 
-    from divbandit._engine import Description
     from divbandit.history import History
 
 
-class MotorBabbling(Strategy):
+@dataclass(frozen=True, init=False, repr=False)
+class MotorBabbling(StrategyValue):
     """Random motor babbling: commands uniform in M (Benureau and Oudeyer 2015, figure 1).
 
     Examples
@@ -24,13 +26,11 @@ class MotorBabbling(Strategy):
     (100, 2)
     """
 
+    def start(self, start: Starter) -> MotorBabbling:
+        """Return itself: it keeps no state."""
+        del start
+        return self
+
     def propose(self, history: History, rng: Generator) -> Trial:
         """Draw a command: one ``rng.random()`` a coordinate."""
         return Trial(history.motor_space.sample(rng))
-
-    def propose_many(self, history: History, n: int, rng: Generator) -> list[Trial]:
-        """Return what `n` calls of `propose` return, in one call into Rust."""
-        return Trial.many(list(history.motor_space.sample_many(n, rng)))
-
-    def _describe(self, description: Description) -> int:
-        return description.engine.motor_babbling()

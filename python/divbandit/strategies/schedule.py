@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from divbandit._checks import whole
-from divbandit.strategies.composite import Composite
+from divbandit.strategies.composite import Composite, CompositeValue, strategies_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from numpy.random import Generator
 
-    from divbandit._engine import Description
     from divbandit.history import History
-    from divbandit.strategies.base import Strategy
+    from divbandit.strategies.base import Starter, Strategy
 
 
-#: What the engine can count.
-_MOST_STEPS = 2**63
-
-
-class Schedule(Composite):
+@dataclass(frozen=True, init=False, repr=False)
+class Schedule(CompositeValue):
     """Each strategy for a number of steps, then the next.
 
     Figure 2 of the paper babbles in M for 10 steps before it babbles goals. Steps are the
@@ -32,6 +29,11 @@ class Schedule(Composite):
     phases : iterable of (steps, Strategy)
         `steps` is at least 1, or None for all that remain. The last phase never ends, whatever
         its number of steps.
+
+    Attributes
+    ----------
+    phases : tuple of (steps, Strategy)
+    strategies : tuple of Strategy
 
     Raises
     ------
@@ -46,13 +48,15 @@ class Schedule(Composite):
     array([0, 0, 1, 1, 1])
     """
 
+    phases: tuple[tuple[int | None, Strategy], ...]
+
     def __init__(self, phases: Iterable[tuple[int | None, Strategy]]) -> None:
         try:
             pairs = [(steps, strategy) for steps, strategy in phases]
         except (TypeError, ValueError):
             raise TypeError("phases must be pairs (steps, strategy)") from None
         try:
-            super().__init__(strategy for _, strategy in pairs)
+            strategies = strategies_of(strategy for _, strategy in pairs)
         except (TypeError, ValueError) as error:
             raise type(error)(f"phases: {error}") from None
         for index, (steps, _) in enumerate(pairs):
@@ -60,30 +64,28 @@ class Schedule(Composite):
                 whole(f"phases[{index}].steps", steps, low=1)
             elif index < len(pairs) - 1:
                 raise ValueError(f"phases[{index}].steps must be a number: only the last is None")
-        self.steps = tuple(steps for steps, _ in pairs)
+        self._set(phases=tuple(pairs), strategies=strategies)
+
+    def start(self, start: Starter) -> Strategy:
+        """Return the schedule at its beginning, over the parts that run."""
+        return _Progress(map(start, self.strategies), [steps for steps, _ in self.phases])
+
+
+class _Progress(Composite):
+    """A schedule under way: which phase it is in, and for how many proposals."""
+
+    def __init__(self, strategies: Iterable[Strategy], steps: list[int | None]) -> None:
+        super().__init__(strategies)
+        self._steps = steps
         self._phase = 0
         self._proposed = 0
-
-    @property
-    def phases(self) -> tuple[tuple[int | None, Strategy], ...]:
-        """Each strategy, with its number of steps before it."""
-        return tuple(zip(self.steps, self.strategies, strict=True))
 
     def choose(self, history: History, rng: Generator) -> int:
         """Return the current phase; nothing is drawn."""
         del history, rng
-        steps = self.steps[self._phase]
-        if steps is not None and self._proposed >= steps and self._phase < len(self.steps) - 1:
+        steps = self._steps[self._phase]
+        if steps is not None and self._proposed >= steps and self._phase < len(self._steps) - 1:
             self._phase += 1
             self._proposed = 0
         self._proposed += 1
         return self._phase
-
-    def _describe(self, description: Description) -> int:
-        parts = description.add_all(self.strategies)
-        # More steps than can be counted are as good as one less.
-        steps = [min(cast("int", steps), _MOST_STEPS) for steps in self.steps[:-1]]
-        return description.engine.schedule(parts, steps, self._phase, self._proposed)
-
-    def __repr__(self) -> str:
-        return f"Schedule({list(self.phases)!r})"

@@ -1,49 +1,73 @@
-//! History: the log of an exploration - commands and effects - and what is derived from it.
+//! History: the log of an exploration - commands, effects, who proposed them - and the k-d tree.
 //!
-//! The log is the state. The k-d tree is brought up to date from it when somebody asks for a
-//! nearest effect.
+//! The log is the state. The tree is brought up to date from it when a nearest effect is searched.
 
-use crate::bounds::{Bounds, UniformStream, check_share};
-use crate::error::{Error, check_length, reserve};
+use crate::bounds::Bounds;
+use crate::error::{Error, check_finite, check_length, reserve};
+use crate::inverse::Observed;
 use crate::kdtree::NearestNeighbors;
+use crate::paths::Paths;
 
 /// All that has been tried so far, and what it led to.
 #[derive(Debug, Clone)]
 pub struct History {
     motor_space: Bounds,
     sensory_space: Option<Bounds>,
-    effect_dim: usize,
     keeps_commands: bool,
     len: usize,
     /// Coordinate by coordinate.
     commands: Vec<f64>,
-    /// The effects, filed as far as somebody asked for the nearest.
-    effects: NearestNeighbors,
+    /// The effects, filed as far as they were searched; None until their dimension is known.
+    effects: Option<NearestNeighbors>,
+    paths: Paths,
+    /// The path of each step, by its end.
+    ends: Vec<u32>,
+    /// What a bandit believed of each of its strategies when it chose, step by step.
+    estimates: Vec<f64>,
+    /// The length of a row of these; 0 for any other strategy.
+    width: usize,
+}
+
+/// What is left of a history: arrays, row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Log {
+    /// The motor commands; empty if they were not kept.
+    pub commands: Vec<f64>,
+    /// The effects.
+    pub effects: Vec<f64>,
+    /// Who proposed each command: indices of strategies, outermost first, -1 beyond the innermost.
+    pub paths: Vec<i64>,
+    /// The length of a row of `paths`.
+    pub depth: usize,
+    /// What a bandit believed of each of its strategies when it chose; empty for any other strategy.
+    pub estimates: Vec<f64>,
 }
 
 impl History {
-    /// Nothing tried yet. Goals are drawn from `sensory_space` where a strategy has none of its
-    /// own; without `keeps_commands`, commands are forgotten as soon as they are recorded.
+    /// Nothing tried yet. Goals are drawn from `sensory_space` where a strategy has no box of its
+    /// own; without `keeps_commands`, commands are forgotten as soon as they are recorded. `width`
+    /// is the number of estimates logged with each step.
     ///
     /// # Errors
-    /// If `effect_dim` is 0 or not the dimension of the sensory space.
+    /// Never, so far: a box has at least one dimension.
     pub fn new(
         motor_space: Bounds,
         sensory_space: Option<Bounds>,
-        effect_dim: usize,
         keeps_commands: bool,
+        width: usize,
     ) -> Result<Self, Error> {
-        if let Some(space) = &sensory_space {
-            check_length("sensory_space", space.low(), effect_dim)?;
-        }
+        let dim = sensory_space.as_ref().map(Bounds::dim);
         Ok(Self {
             motor_space,
             sensory_space,
-            effect_dim,
             keeps_commands,
             len: 0,
             commands: Vec::new(),
-            effects: NearestNeighbors::new(effect_dim)?,
+            effects: dim.map(NearestNeighbors::new).transpose()?,
+            paths: Paths::default(),
+            ends: Vec::new(),
+            estimates: Vec::new(),
+            width,
         })
     }
 
@@ -59,10 +83,10 @@ impl History {
         self.sensory_space.as_ref()
     }
 
-    /// The dimension of the effects.
+    /// The dimension of the effects; None until the first tells it where there is no sensory space.
     #[must_use]
-    pub fn effect_dim(&self) -> usize {
-        self.effect_dim
+    pub fn effect_dim(&self) -> Option<usize> {
+        self.effects.as_ref().map(NearestNeighbors::dim)
     }
 
     /// How many commands have been tried.
@@ -86,7 +110,24 @@ impl History {
     /// All effects in order, coordinate by coordinate.
     #[must_use]
     pub fn effects(&self) -> &[f64] {
-        self.effects.points()
+        self.effects.as_ref().map_or(&[], NearestNeighbors::points)
+    }
+
+    /// The paths taken, and each step's among them.
+    #[must_use]
+    pub fn paths(&self) -> (&Paths, &[u32]) {
+        (&self.paths, &self.ends)
+    }
+
+    /// The paths, to be extended by a choice.
+    pub(crate) fn paths_mut(&mut self) -> &mut Paths {
+        &mut self.paths
+    }
+
+    /// The estimates logged with each step, and how many there are in a row.
+    #[must_use]
+    pub fn estimates(&self) -> (&[f64], usize) {
+        (&self.estimates, self.width)
     }
 
     /// Whether commands are kept, or forgotten as soon as they are recorded.
@@ -95,13 +136,19 @@ impl History {
         self.keeps_commands
     }
 
-    /// Checks that so many more evaluations can be counted.
-    pub(crate) fn check_room(&self, n: usize) -> Result<(), Error> {
-        if self.len.saturating_add(n) < u32::MAX as usize {
-            return Ok(());
+    /// All that was observed, to be searched.
+    ///
+    /// # Errors
+    /// If nothing was observed yet, or the commands are not kept.
+    pub fn observed(&mut self) -> Result<Observed<'_>, Error> {
+        let Some(effects) = self.effects.as_mut().filter(|effects| !effects.is_empty()) else {
+            return Err(Error::Empty { name: "history" });
+        };
+        if self.commands.is_empty() {
+            return Err(Error::Empty { name: "commands" });
         }
-        let must_be = "so few that all evaluations together are fewer than 2^32".to_owned();
-        Err(Error::Count { name: "n", must_be, got: n })
+        effects.file_all();
+        Ok(Observed { effects, commands: &self.commands, motor_space: &self.motor_space })
     }
 
     /// Makes room for so many more evaluations, so that recording them moves nothing.
@@ -109,50 +156,86 @@ impl History {
     /// # Errors
     /// If there is no memory for them, or they would be 2^32 or more; nothing has changed then.
     pub fn reserve(&mut self, n: usize) -> Result<(), Error> {
-        self.check_room(n)?;
+        if self.len.saturating_add(n) >= u32::MAX as usize {
+            let must_be = "so few that all evaluations together are fewer than 2^32".to_owned();
+            return Err(Error::Count { name: "n", must_be, got: n });
+        }
         if self.keeps_commands {
             reserve(&mut self.commands, n, self.motor_space.dim())?;
         }
-        self.effects.reserve(n)
+        reserve(&mut self.ends, n, 1)?;
+        reserve(&mut self.estimates, n, self.width)?;
+        self.effects.as_mut().map_or(Ok(()), |effects| effects.reserve(n))
     }
 
-    /// Records one evaluation; both have the right length.
-    pub(crate) fn record(&mut self, command: &[f64], effect: &[f64]) {
+    /// Records one evaluation, proposed by the strategy at the end of `path`, and what the bandit
+    /// believed when it chose: NaN where that is empty.
+    ///
+    /// # Errors
+    /// If the command is no point of the motor space, or the effect is not finite or of another
+    /// dimension than those before; nothing is recorded then.
+    pub fn record(
+        &mut self,
+        command: &[f64],
+        effect: &[f64],
+        path: &[u32],
+        estimates: &[f64],
+    ) -> Result<(), Error> {
+        self.motor_space.check("command", command)?;
+        self.check_effect(effect)?;
+        let end = self.paths.of(path);
+        self.log(command, effect, end, estimates)
+    }
+
+    /// Checks that an effect is finite and of the dimension of those before.
+    pub(crate) fn check_effect(&self, effect: &[f64]) -> Result<(), Error> {
+        match self.effect_dim() {
+            Some(dim) => check_length("effect", effect, dim)?,
+            None if effect.is_empty() => return Err(Error::Empty { name: "effect" }),
+            None => {}
+        }
+        check_finite("effect", effect, effect.len())
+    }
+
+    /// Does what [`record`](Self::record) does, with what is known to be right.
+    pub(crate) fn log(
+        &mut self,
+        command: &[f64],
+        effect: &[f64],
+        end: u32,
+        estimates: &[f64],
+    ) -> Result<(), Error> {
+        if self.effects.is_none() {
+            self.effects = Some(NearestNeighbors::new(effect.len())?);
+        }
+        let Some(effects) = &mut self.effects else { return Ok(()) };
+        effects.log(effect);
         if self.keeps_commands {
             self.commands.extend_from_slice(command);
         }
-        self.effects.log(effect);
+        if estimates.len() == self.width {
+            self.estimates.extend_from_slice(estimates);
+        } else {
+            self.estimates.resize(self.estimates.len() + self.width, f64::NAN);
+        }
+        self.ends.push(end);
         self.len += 1;
-    }
-
-    /// Inverse_d(goal), the paper's inverse model: writes the command of the observed effect
-    /// nearest to `goal`, perturbed.
-    ///
-    /// # Errors
-    /// If nothing was observed yet, the commands are not kept, `goal` is not a finite point of
-    /// the effects' dimension, `d` is not in [0, 1], or `command` has not the dimension of M;
-    /// nothing is drawn then.
-    pub fn inverse(
-        &mut self,
-        goal: &[f64],
-        d: f64,
-        draws: &mut dyn UniformStream,
-        command: &mut [f64],
-    ) -> Result<(), Error> {
-        check_length("command", command, self.motor_space.dim())?;
-        check_share("d", d)?;
-        self.effects.file_all();
-        let (_, index) = self.effects.nearest(goal)?;
-        let m = self.motor_space.dim();
-        let Some(parent) = self.commands.get(index * m..(index + 1) * m) else {
-            return Err(Error::Empty { name: "commands" });
-        };
-        self.motor_space.perturb_into(command, parent, d, draws);
         Ok(())
     }
 
-    /// The commands and the effects.
-    pub(crate) fn into_log(self) -> (Vec<f64>, Vec<f64>) {
-        (self.commands, self.effects.into_points())
+    /// What is left of it.
+    ///
+    /// # Errors
+    /// If there is no memory for the paths.
+    pub fn into_log(self) -> Result<Log, Error> {
+        let depth = self.paths.depth();
+        let mut paths = Vec::new();
+        reserve(&mut paths, self.len, depth)?;
+        paths.resize(self.len * depth, -1);
+        for (&end, row) in self.ends.iter().zip(paths.chunks_exact_mut(depth.max(1))) {
+            self.paths.write(end, row);
+        }
+        let effects = self.effects.map_or(Vec::new(), NearestNeighbors::into_points);
+        Ok(Log { commands: self.commands, effects, paths, depth, estimates: self.estimates })
     }
 }

@@ -11,7 +11,7 @@
 //! 4. [`strategies`] propose commands in this and other ways, seeing the [`History`] of all that
 //!    was observed;
 //! 5. [`Coverage`] says how much an effect has newly covered: its gain;
-//! 6. [`bandits`] let one of several strategies propose, in proportion to the gains of each;
+//! 6. [`bandits`] let one of several strategies propose, by the rewards that each has earned;
 //! 7. [`exploration`] is the loop of all these, run by an [`Exploration`].
 //!
 //! Everything that decides a trajectory is made of additions, multiplications,
@@ -45,7 +45,9 @@ pub mod history;
 pub mod instructions;
 pub mod inverse;
 pub mod kdtree;
+pub mod measures;
 pub mod obstructed_arm;
+pub mod paths;
 pub mod push_arm;
 pub mod strategies;
 pub mod trig;
@@ -56,10 +58,9 @@ pub use contact::Obstacle;
 pub use coverage::Coverage;
 pub use environment::Environment;
 pub use error::Error;
-pub use exploration::{Composition, Exploration};
+pub use exploration::{Composition, Exploration, Proposal};
 pub use history::History;
 pub use instructions::Instructions;
-pub use inverse::inverse;
 pub use kdtree::NearestNeighbors;
 pub use obstructed_arm::ObstructedArm;
 pub use push_arm::PushArm;

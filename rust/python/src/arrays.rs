@@ -77,6 +77,25 @@ impl<'py> Floats<'py> {
         }
     }
 
+    /// Reads one finite point that is not empty, and copies it: see [`as_point`].
+    pub fn finite_point(
+        name: &str,
+        value: &Bound<'py, PyAny>,
+        length: Option<usize>,
+    ) -> PyResult<Vec<f64>> {
+        let values = Self::point(name, value, length)?.copied()?;
+        if values.is_empty() {
+            return Err(PyValueError::new_err(format!("{name} must not be empty")));
+        }
+        if let Some(index) = values.iter().position(|x| !x.is_finite()) {
+            return Err(PyValueError::new_err(format!(
+                "{name}[{index}] must be finite, got {:?}",
+                values[index]
+            )));
+        }
+        Ok(values)
+    }
+
     /// Reads many points: shape (n, `length`).
     pub fn points(name: &str, value: &Bound<'py, PyAny>, length: usize) -> PyResult<Self> {
         let floats = Self::read(name, value)?;
@@ -243,15 +262,5 @@ pub(crate) fn as_point<'py>(
     value: &Bound<'py, PyAny>,
     length: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let values = Floats::point(name, value, length)?.copied()?;
-    if values.is_empty() {
-        return Err(PyValueError::new_err(format!("{name} must not be empty")));
-    }
-    if let Some(index) = values.iter().position(|x| !x.is_finite()) {
-        return Err(PyValueError::new_err(format!(
-            "{name}[{index}] must be finite, got {:?}",
-            values[index]
-        )));
-    }
-    read_only(value.py(), &values)
+    read_only(value.py(), &Floats::finite_point(name, value, length)?)
 }

@@ -1,24 +1,19 @@
-//! Binding of the engine: explorations of built-in parts alone, from the first step to the last.
+//! Binding of the engine: a composition of the library's own strategies that explores.
 
+use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
-use divbandit_core::bandits::Adapt;
-use divbandit_core::exploration::Log;
-use divbandit_core::obstructed_arm::Moving;
-use divbandit_core::push_arm::Pushing;
-use divbandit_core::strategies::{GoalBabbling, Mixture, MotorBabbling, Schedule};
-use divbandit_core::{Bounds, Composition, Environment, Error, Exploration, History};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use divbandit_core::{Environment, Error, Exploration, History, Proposal};
+use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
-use crate::arm::PyPlanarArm;
-use crate::arrays::count;
-use crate::bounds::PyBounds;
-use crate::coverage::PyCoverage;
+use crate::arrays::{count, read_only};
+use crate::composition::Reader;
+use crate::environments::{BlackBox, environment_of};
 use crate::errors::value_error;
-use crate::obstructed_arm::PyObstructedArm;
-use crate::push_arm::PyPushArm;
+use crate::history::PyHistory;
 use crate::random::{Draws, NumpyStream};
 
 /// How long the engine runs before it lets Python look for Ctrl-C: seldom enough to cost nothing.
@@ -27,189 +22,232 @@ const AT_ONCE: Duration = Duration::from_millis(50);
 /// Steps between two looks at the clock.
 const STEPS: usize = 64;
 
-/// Commands (if kept), effects, paths and, of a bandit, diversities: an array each.
-type Arrays<'py> = (
-    Option<Bound<'py, PyArray2<f64>>>,
-    Bound<'py, PyArray2<f64>>,
-    Bound<'py, PyArray2<i64>>,
-    Option<Bound<'py, PyArray2<f64>>>,
-);
+/// A command, its goal if it has one, and the path of who proposed it.
+type Proposed<'py> =
+    (Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<f64>>>, Bound<'py, PyTuple>);
 
-/// An exploration to be: an environment and strategies, told one by one, then run at once.
+/// A composition of the library's own strategies, which explores with a history.
 ///
-/// Each strategy is known by the number that telling it returned.
+/// Trials are known by the number of those asked before. A strategy that a user defined, or a part
+/// of one, is a NotBuiltInError.
 ///
 /// Parameters
 /// ----------
-/// motor_space : Bounds
-/// sensory_space : Bounds, optional
+/// strategy : Strategy
+/// history : History
 ///
 /// Examples
 /// --------
 /// >>> import numpy as np
-/// >>> from divbandit._core import Bounds, Engine, PlanarArm
-/// >>> engine = Engine(Bounds([-1], [1]), Bounds([-1, -1], [1, 1]))
-/// >>> engine.planar_arm(PlanarArm(1, 1.0))
-/// (1, 2)
-/// >>> parts = [engine.motor_babbling(), engine.goal_babbling(0.05, None)]
-/// >>> mixture = engine.mixture(parts, [0.5, 0.5])
-/// >>> commands, effects, paths, _ = engine.explore(mixture, 4, np.random.default_rng(0), True, None)
-/// >>> commands.shape, effects.shape, paths.ravel()
-/// ((4, 1), (4, 2), array([1, 0, 1, 1]))
+/// >>> import divbandit as db
+/// >>> from divbandit._core import Bounds, Engine, History
+/// >>> history = History(Bounds([-1], [1]), None)
+/// >>> engine = Engine(db.Mixture([db.MotorBabbling()]), history)
+/// >>> command, goal, path = engine.ask(history, np.random.default_rng(0))
+/// >>> goal, path, engine.asked
+/// (None, (0,), 1)
+/// >>> engine.tell(0, history, [1.0, 2.0])
+/// >>> len(history)
+/// 1
 #[pyclass(module = "divbandit._core", name = "Engine")]
 pub(crate) struct PyEngine {
-    motor_space: Bounds,
-    sensory_space: Option<Bounds>,
-    environment: Option<Box<dyn Environment>>,
-    strategies: Composition,
+    exploration: Exploration,
+    /// The trials under way, by number.
+    open: HashMap<usize, Proposal>,
+    /// One that is not in use.
+    spare: Proposal,
+    asked: usize,
+    /// Whether the newest effect was recorded, but could not be rewarded.
+    refused: bool,
 }
 
 #[pymethods]
 impl PyEngine {
     #[new]
-    #[pyo3(signature = (motor_space, sensory_space))]
-    fn new(motor_space: &Bound<'_, PyBounds>, sensory_space: Option<&Bound<'_, PyBounds>>) -> Self {
-        Self {
-            motor_space: motor_space.get().0.clone(),
-            sensory_space: sensory_space.map(|space| space.get().0.clone()),
-            environment: None,
-            strategies: Composition::default(),
-        }
+    fn new(strategy: &Bound<'_, PyAny>, history: PyRef<'_, PyHistory>) -> PyResult<Self> {
+        let mut reader = Reader::new(&history.0);
+        let root = reader.place("strategy", strategy)?;
+        let exploration =
+            Exploration::new(reader.composition, root, &history.0).map_err(value_error)?;
+        let spare = Proposal::new(history.0.motor_space().dim());
+        Ok(Self { exploration, open: HashMap::new(), spare, asked: 0, refused: false })
     }
 
-    /// Explore this arm; returns the dimensions of its commands and effects.
-    fn planar_arm(&mut self, arm: &Bound<'_, PyPlanarArm>) -> (usize, usize) {
-        self.explore_it(arm.get().0.clone())
+    /// How many trials were asked for.
+    #[getter]
+    fn asked(&self) -> usize {
+        self.asked
     }
 
-    /// Explore this arm among its obstacles; returns the dimensions of its commands and effects.
-    fn obstructed_arm(&mut self, arm: &Bound<'_, PyObstructedArm>) -> (usize, usize) {
-        self.explore_it(Moving::from(arm.get().0.clone()))
+    /// Whether the newest effect was recorded, but could not be rewarded.
+    #[getter]
+    fn refused(&self) -> bool {
+        self.refused
     }
 
-    /// Explore this arm and its ball; returns the dimensions of its commands and effects.
-    fn push_arm(&mut self, arm: &Bound<'_, PyPushArm>) -> (usize, usize) {
-        self.explore_it(Pushing::from(arm.get().0.clone()))
+    /// What a bandit believes of each of its strategies; None for any other strategy.
+    #[getter]
+    fn estimates<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyTuple>>> {
+        self.exploration.estimates().map(|means| PyTuple::new(py, means)).transpose()
     }
 
-    /// Tell of motor babbling.
-    fn motor_babbling(&mut self) -> usize {
-        self.strategies.add(MotorBabbling)
-    }
-
-    /// Tell of goal babbling.
-    #[pyo3(signature = (d, goals))]
-    fn goal_babbling(&mut self, d: f64, goals: Option<&Bound<'_, PyBounds>>) -> PyResult<usize> {
-        let goals = goals.map(|goals| goals.get().0.clone());
-        Ok(self.strategies.add(GoalBabbling::new(d, goals).map_err(value_error)?))
-    }
-
-    /// Tell of a mixture.
-    fn mixture(&mut self, parts: Vec<usize>, weights: Vec<f64>) -> PyResult<usize> {
-        let mixture = Mixture::new(weights).map_err(value_error)?;
-        self.strategies.compose(mixture, parts).map_err(value_error)
-    }
-
-    /// Tell of a schedule: the numbers of steps of all parts but the last, and how far it has got.
-    fn schedule(
+    /// Let the strategy propose; returns a command, its goal, and the path of who proposed it.
+    fn ask<'py>(
         &mut self,
-        parts: Vec<usize>,
-        steps: Vec<u64>,
-        phase: usize,
-        proposed: u64,
-    ) -> PyResult<usize> {
-        let schedule = Schedule::new(steps, phase, proposed).map_err(value_error)?;
-        self.strategies.compose(schedule, parts).map_err(value_error)
-    }
-
-    /// Tell of ADAPT, whose gains an empty Coverage measures.
-    fn adapt(
-        &mut self,
-        parts: Vec<usize>,
-        measure: PyRef<'_, PyCoverage>,
-        window: usize,
-        alpha: f64,
-        head_start: usize,
-        power: f64,
-    ) -> PyResult<usize> {
-        let adapt = Adapt::new(parts.len(), measure.0.clone(), window, alpha, head_start)
-            .and_then(|adapt| adapt.with_power(power))
-            .map_err(value_error)?;
-        self.strategies.compose(adapt, parts).map_err(value_error)
-    }
-
-    /// Explore with one of the strategies told, for n steps; the engine is then used up.
-    ///
-    /// Every twentieth of a second `between` is called, if given; what it raises ends the
-    /// exploration, and so does Ctrl-C.
-    ///
-    /// Returns
-    /// -------
-    /// commands, effects, paths, diversities : arrays of n rows
-    ///     No commands where they are not to be kept; no diversities where the strategy is no
-    ///     bandit.
-    #[pyo3(signature = (strategy, n, rng, keep_commands, between))]
-    fn explore<'py>(
-        &mut self,
-        py: Python<'py>,
-        strategy: usize,
-        n: &Bound<'py, PyAny>,
+        mut history: PyRefMut<'py, PyHistory>,
         rng: &Bound<'py, PyAny>,
-        keep_commands: bool,
-        between: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Arrays<'py>> {
-        let n = count("n", n)?;
-        let Some(environment) = self.environment.take() else {
-            return Err(PyValueError::new_err("the engine must be told of an environment first"));
-        };
-        let strategies = std::mem::take(&mut self.strategies);
-        let (m, s) = (environment.motor_dim(), environment.effect_dim());
-        let kept = keep_commands || strategies.needs_commands();
-        let (motor_space, sensory_space) = (self.motor_space.clone(), self.sensory_space.clone());
-        let history = History::new(motor_space, sensory_space, s, kept).map_err(value_error)?;
-        let mut run =
-            Exploration::new(environment, history, strategies, strategy).map_err(value_error)?;
-        run.reserve(n).map_err(value_error)?;
+    ) -> PyResult<Proposed<'py>> {
+        let mut stream = NumpyStream::lock(rng)?;
+        self.exploration
+            .propose(&mut history.0, &mut stream, &mut self.spare)
+            .map_err(value_error)?;
+        drop(stream);
+        self.open.insert(self.asked, self.spare.clone());
+        self.asked += 1;
+        self.proposed(rng.py(), self.asked - 1)
+    }
 
-        while run.len() < n {
-            // Locked anew each time: what handles a signal may draw from the same generator.
-            let mut stream = NumpyStream::lock(rng)?;
-            let draws = stream.draws();
-            py.detach(|| for_a_while(&mut run, n, draws)).map_err(value_error)?;
-            drop(stream);
+    /// Return what was proposed for a trial that is under way.
+    fn proposed<'py>(&self, py: Python<'py>, number: usize) -> PyResult<Proposed<'py>> {
+        let proposal = self.open.get(&number).ok_or_else(unknown)?;
+        let goal = proposal.goal().map(|goal| read_only(py, goal)).transpose()?;
+        Ok((read_only(py, proposal.command())?, goal, PyTuple::new(py, proposal.path())?))
+    }
+
+    /// Record the effect of a trial, and let the strategy learn from it.
+    fn tell(
+        &mut self,
+        number: usize,
+        mut history: PyRefMut<'_, PyHistory>,
+        effect: &Bound<'_, PyAny>,
+    ) -> PyResult<()> {
+        let mut numbers = Vec::new();
+        BlackBox::read(effect, history.0.effect_dim(), &mut numbers)?;
+        let proposal = self.open.remove(&number).ok_or_else(unknown)?;
+        let told = self.exploration.observe(&mut history.0, &proposal, &numbers);
+        self.spare = proposal;
+        told.map_err(value_error)
+    }
+
+    /// Let the strategy learn that a trial has failed.
+    fn fail(&mut self, number: usize) -> PyResult<()> {
+        let proposal = self.open.remove(&number).ok_or_else(unknown)?;
+        self.exploration.fail(&proposal);
+        Ok(())
+    }
+
+    /// Explore an environment for n evaluations.
+    ///
+    /// `between` is called again and again - after each step where the environment is called back,
+    /// every twentieth of a second elsewhere; what it raises ends the run, and so does Ctrl-C. A trial
+    /// whose evaluation raises is then under way.
+    #[pyo3(signature = (environment, history, n, rng, between))]
+    fn run(
+        &mut self,
+        py: Python<'_>,
+        environment: &Bound<'_, PyAny>,
+        history: &Bound<'_, PyHistory>,
+        n: &Bound<'_, PyAny>,
+        rng: &Bound<'_, PyAny>,
+        between: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        let n = count("n", n)?;
+        history.borrow_mut().0.reserve(n).map_err(value_error)?;
+        self.refused = false;
+        if let Some(environment) = environment_of(environment)? {
+            return self.run_in_rust(py, environment, history, n, rng, between);
+        }
+        let black_box = BlackBox::of(environment)?;
+        let mut effect = Vec::new();
+        for _ in 0..n {
+            {
+                // Locked for each step alone: the environment may draw from the same generator.
+                let mut stream = NumpyStream::lock(rng)?;
+                let log = &mut history.borrow_mut().0;
+                self.exploration
+                    .propose(log, &mut stream, &mut self.spare)
+                    .map_err(value_error)?;
+            }
+            let number = self.asked;
+            self.asked += 1;
+            let dim = history.borrow().0.effect_dim();
+            if let Err(error) = black_box.evaluate(py, self.spare.command(), dim, &mut effect) {
+                self.open.insert(number, self.spare.clone());
+                return Err(error);
+            }
+            let log = &mut history.borrow_mut().0;
+            let known = log.len();
+            if let Err(error) = self.exploration.observe(log, &self.spare, &effect) {
+                self.refused = log.len() > known;
+                if !self.refused {
+                    self.open.insert(number, self.spare.clone());
+                }
+                return Err(value_error(error));
+            }
             py.check_signals()?;
             if let Some(between) = between {
                 between.call0()?;
             }
         }
-
-        let Log { commands, effects, paths, depth, diversities } =
-            py.detach(|| run.into_log()).map_err(value_error)?;
-        let rows = |numbers: Vec<f64>, width: usize| numbers.into_pyarray(py).reshape([n, width]);
-        let beliefs = diversities.len() / n.max(1);
-        Ok((
-            if keep_commands { Some(rows(commands, m)?) } else { None },
-            rows(effects, s)?,
-            PyArray1::from_vec(py, paths).reshape([n, depth])?,
-            if beliefs > 0 { Some(rows(diversities, beliefs)?) } else { None },
-        ))
+        Ok(())
     }
 }
 
 impl PyEngine {
-    /// Takes an environment, and returns the dimensions of its commands and effects.
-    fn explore_it(&mut self, environment: impl Environment + 'static) -> (usize, usize) {
-        let dims = (environment.motor_dim(), environment.effect_dim());
-        self.environment = Some(Box::new(environment));
-        dims
+    /// Explores an environment in Rust, detached from Python for a while at a time.
+    fn run_in_rust(
+        &mut self,
+        py: Python<'_>,
+        mut environment: Box<dyn Environment>,
+        history: &Bound<'_, PyHistory>,
+        n: usize,
+        rng: &Bound<'_, PyAny>,
+        between: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        let mut left = n;
+        while left > 0 {
+            {
+                // Locked for a while alone: what handles a signal may draw from the same generator.
+                let mut stream = NumpyStream::lock(rng)?;
+                let draws = stream.draws();
+                let log = &mut history.borrow_mut().0;
+                let known = log.len();
+                let exploration = &mut self.exploration;
+                let done =
+                    py.detach(|| for_a_while(exploration, &mut *environment, log, left, draws));
+                let made = log.len() - known;
+                left -= made;
+                self.asked += made;
+                if let Err(error) = done {
+                    self.refused = true;
+                    return Err(value_error(error));
+                }
+            }
+            py.check_signals()?;
+            if let Some(between) = between {
+                between.call0()?;
+            }
+        }
+        Ok(())
     }
 }
 
-/// Runs on towards `n` steps, for about [`AT_ONCE`].
-fn for_a_while(run: &mut Exploration, n: usize, draws: &mut Draws) -> Result<(), Error> {
-    let end = Instant::now() + AT_ONCE;
-    while run.len() < n && Instant::now() < end {
-        run.run(STEPS.min(n - run.len()), draws)?;
+/// Runs on for about [`AT_ONCE`], `left` steps at most.
+fn for_a_while(
+    exploration: &mut Exploration,
+    environment: &mut dyn Environment,
+    history: &mut History,
+    left: usize,
+    draws: &mut Draws,
+) -> Result<(), Error> {
+    let (end, all) = (Instant::now() + AT_ONCE, history.len() + left);
+    while history.len() < all && Instant::now() < end {
+        let steps = STEPS.min(all - history.len());
+        exploration.run(environment, history, steps, draws)?;
     }
     Ok(())
+}
+
+fn unknown() -> PyErr {
+    PyValueError::new_err("trial must be one that was asked for and not told of yet")
 }

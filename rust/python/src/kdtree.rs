@@ -131,17 +131,7 @@ impl PyNearestNeighbors {
         query: &Bound<'py, PyAny>,
         k: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let query = Floats::point("query", query, Some(self.0.dim()))?;
-        let k = k.map_or(Ok(1), |k| count("k", k))?;
-        if k == 1 {
-            let found = self.0.nearest(&query.copied()?).map_err(value_error)?;
-            return Ok(found.into_pyobject(py)?.into_any());
-        }
-        let found = self.0.nearest_k(&query.copied()?, k).map_err(value_error)?;
-        let distances: Vec<f64> = found.iter().map(|&(distance, _)| distance).collect();
-        let indices: Vec<i64> = found.iter().map(|&(_, index)| index as i64).collect();
-        let found = (distances.into_pyarray(py), indices.into_pyarray(py));
-        Ok(found.into_pyobject(py)?.into_any())
+        found(py, &self.0, "query", query, k)
     }
 
     fn __len__(&self) -> usize {
@@ -159,4 +149,25 @@ impl PyNearestNeighbors {
     fn __repr__(&self) -> String {
         format!("<NearestNeighbors of {} points in R^{}>", self.0.len(), self.0.dim())
     }
+}
+
+/// The points of a tree nearest to what an error calls `name`: one, or `k` as arrays.
+pub(crate) fn found<'py>(
+    py: Python<'py>,
+    tree: &NearestNeighbors,
+    name: &str,
+    query: &Bound<'py, PyAny>,
+    k: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let query = Floats::finite_point(name, query, Some(tree.dim()))?;
+    let k = k.map_or(Ok(1), |k| count("k", k))?;
+    if k == 1 {
+        let found = tree.nearest(&query).map_err(value_error)?;
+        return Ok(found.into_pyobject(py)?.into_any());
+    }
+    let found = tree.nearest_k(&query, k).map_err(value_error)?;
+    let distances: Vec<f64> = found.iter().map(|&(distance, _)| distance).collect();
+    let indices: Vec<i64> = found.iter().map(|&(_, index)| index as i64).collect();
+    let found = (distances.into_pyarray(py), indices.into_pyarray(py));
+    Ok(found.into_pyobject(py)?.into_any())
 }

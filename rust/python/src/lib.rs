@@ -9,19 +9,25 @@
 mod arm;
 mod arrays;
 mod bounds;
+mod composition;
 mod coverage;
 mod elementary;
 mod engine;
+mod environments;
 mod errors;
+mod estimators;
 mod exact_sum;
 mod goals;
+mod history;
 mod inverse;
 mod kdtree;
+mod measures;
 mod obstructed_arm;
-#[allow(dead_code)]
 mod parts;
+mod policies;
 mod push_arm;
 mod random;
+mod rewards;
 
 use pyo3::prelude::*;
 
@@ -40,7 +46,10 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<obstructed_arm::PyObstructedArm>()?;
     module.add_class::<push_arm::PyPushArm>()?;
     module.add_class::<exact_sum::PyExactSum>()?;
+    module.add_class::<history::PyHistory>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
+    module.add_class::<rewards::PyReward>()?;
+    module.add("NotBuiltInError", module.py().get_type::<composition::NotBuiltInError>())?;
     module.add_function(wrap_pyfunction!(elementary::exp, module)?)?;
     module.add_function(wrap_pyfunction!(elementary::log, module)?)?;
     module.add_function(wrap_pyfunction!(elementary::normal_quantile, module)?)?;

@@ -1,10 +1,14 @@
-//! Bandits, as the engine runs them: composites that choose by the gains that their parts made
-//! lately.
+//! Bandits: composites that choose by the rewards that their parts earned.
+//!
+//! A [`Bandit`] has three parts: what is [rewarded](rewards), what is remembered of it
+//! ([estimators]), and who is chosen ([policies]). ADAPT is one combination: gains, windows, and
+//! choices in proportion.
 
-mod adapt;
+mod bandit;
+pub mod estimators;
 mod exact_sum;
-mod window;
+pub mod policies;
+pub mod rewards;
 
-pub use adapt::Adapt;
+pub use bandit::Bandit;
 pub use exact_sum::ExactSum;
-pub use window::GainWindow;

@@ -1,7 +1,7 @@
 //! Composition: strategies that are made of strategies, side by side in one list.
 //!
 //! A part is known by its place. A composite's parts come before it, so that there are no
-//! circles; a part of two composites is one and the same, with one state.
+//! circles; a part of two composites is one and the same, with one running state.
 
 use crate::error::Error;
 use crate::strategies::{Composite, Strategy};

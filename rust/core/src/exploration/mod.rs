@@ -1,23 +1,40 @@
-//! Exploration: the engine, the whole loop - propose, try, observe - for built-in parts.
+//! Exploration: the engine, a composition of the library's own strategies under way.
 //!
-//! It does what the loop in Python does, draw for draw and bit for bit: that one is the
-//! specification, and tests hold this one equal to it.
+//! [`propose`](Exploration::propose) lets the strategies choose down to the one that writes a
+//! command; [`observe`](Exploration::observe) and [`fail`](Exploration::fail) tell those on the way
+//! what came of it; [`run`](Exploration::run) is the whole loop for an environment in Rust. The loop
+//! in Python does the same, draw for draw and bit for bit: tests hold the two equal.
 //!
 //! ```
-//! use divbandit_core::bandits::Adapt;
+//! use divbandit_core::bandits::Bandit;
+//! use divbandit_core::bandits::estimators::EstimatorKind;
+//! use divbandit_core::bandits::policies::PolicyKind;
+//! use divbandit_core::bandits::rewards::RewardKind;
+//! use divbandit_core::goals::Uniform;
+//! use divbandit_core::inverse::Nearest;
+//! use divbandit_core::measures::MeasureKind;
 //! use divbandit_core::strategies::{GoalBabbling, MotorBabbling};
-//! use divbandit_core::{Bounds, Composition, Coverage, Exploration, History, PlanarArm};
+//! use divbandit_core::{Bounds, Composition, Exploration, History, PlanarArm};
 //!
 //! # fn main() -> Result<(), divbandit_core::Error> {
-//! let arm = PlanarArm::new(20, 2.6)?;
+//! let mut arm = PlanarArm::new(20, 2.6)?;
 //! let motor_space = Bounds::new(vec![-2.6; 20], vec![2.6; 20])?;
 //! let goals = Bounds::new(vec![-1.0; 2], vec![1.0; 2])?;
-//! let history = History::new(motor_space, Some(goals), 2, true)?;
+//! let mut history = History::new(motor_space, Some(goals), true, 2)?;
 //!
 //! let mut strategies = Composition::default();
 //! let motor = strategies.add(MotorBabbling);
-//! let goal = strategies.add(GoalBabbling::new(0.05, None)?);
-//! let adapt = Adapt::new(2, Coverage::new(0.02, 2)?, 50, 0.1, 1)?;
+//! let goal = strategies.add(GoalBabbling::new(
+//!     Box::new(Uniform::new(None)),
+//!     Box::new(Nearest::new(0.05)?),
+//! ));
+//! let adapt = Bandit::new(
+//!     2,
+//!     RewardKind::Gain(MeasureKind::Balls { tau: 0.02, accuracy: 1e-3 }),
+//!     EstimatorKind::Window { size: 50, head_start: 1 },
+//!     PolicyKind::Proportional { alpha: 0.1, power: 1.0 },
+//!     Some(2),
+//! )?;
 //! let root = strategies.compose(adapt, vec![motor, goal])?;
 //!
 //! // Any generator will do; this is Marsaglia's xorshift.
@@ -28,218 +45,197 @@
 //!     state ^= state << 17;
 //!     (state >> 11) as f64 / (1_u64 << 53) as f64
 //! };
-//! let mut run = Exploration::new(Box::new(arm), history, strategies, root)?;
-//! run.run(1000, &mut draws)?;
-//! let log = run.into_log()?;
+//! let mut exploration = Exploration::new(strategies, root, &history)?;
+//! exploration.run(&mut arm, &mut history, 1000, &mut draws)?;
+//! let log = history.into_log()?;
 //! assert_eq!((log.commands.len(), log.effects.len()), (20_000, 2000));
-//! assert_eq!((log.paths.len(), log.diversities.len()), (1000, 2000));
+//! assert_eq!((log.paths.len(), log.estimates.len()), (1000, 2000));
 //! # Ok(())
 //! # }
 //! ```
 
 mod composition;
-mod gains;
-mod paths;
+mod proposal;
+mod rewards;
 
 use crate::bounds::UniformStream;
 use crate::environment::Environment;
-use crate::error::{Error, check_finite, check_length, reserve};
+use crate::error::{Error, check_length};
 use crate::history::History;
+use crate::paths::ROOT;
 pub use composition::Composition;
 use composition::Part;
-use gains::Gains;
-use paths::{Paths, ROOT};
+pub use proposal::Proposal;
+use rewards::Rewards;
 
-/// An exploration under way.
+/// A composition of strategies that explores.
 #[derive(Debug)]
 pub struct Exploration {
-    environment: Box<dyn Environment>,
     parts: Vec<Part>,
-    /// For each part, where its gains come from.
-    measures: Vec<Option<usize>>,
-    history: History,
-    gains: Gains,
-    paths: Paths,
-    /// The path of each step, by its end.
-    ends: Vec<u32>,
-    /// What the outermost strategy believed when it chose, step by step, if it is a bandit.
-    diversities: Vec<f64>,
-    command: Vec<f64>,
+    root: usize,
+    /// For each part, where its rewards come from, if it is a bandit.
+    rewarded: Vec<Option<usize>>,
+    rewards: Rewards,
+    /// Whether the dimension of the effects is known, and all that depends on it started.
+    has_begun: bool,
+    /// What `run` proposes and observes.
+    proposal: Proposal,
     effect: Vec<f64>,
 }
 
-/// What is left of an exploration: arrays, row by row.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Log {
-    /// The motor commands; empty if they were not kept.
-    pub commands: Vec<f64>,
-    /// The effects.
-    pub effects: Vec<f64>,
-    /// Who chose each command: indices of strategies, outermost first, -1 beyond the innermost.
-    pub paths: Vec<i64>,
-    /// The length of a row of `paths`.
-    pub depth: usize,
-    /// What the outermost strategy believed of each of its parts when it chose; empty if it is no
-    /// bandit.
-    pub diversities: Vec<f64>,
-}
-
 impl Exploration {
-    /// Of `environment`, with the part `root` of `strategies`. The history is empty.
+    /// Of the part `root` of `strategies`, with this history.
     ///
     /// # Errors
-    /// If the environment does not lead from the motor space to the effects of the history, a
-    /// strategy cannot explore it, or needs commands that the history does not keep, or there is
-    /// no part `root`.
-    pub fn new(
-        environment: Box<dyn Environment>,
-        history: History,
-        strategies: Composition,
-        root: usize,
-    ) -> Result<Self, Error> {
+    /// If a strategy cannot explore its spaces, or needs commands that the history does not keep,
+    /// or there is no part `root`.
+    pub fn new(strategies: Composition, root: usize, history: &History) -> Result<Self, Error> {
         strategies.check(root)?;
-        let command = vec![0.0; environment.motor_dim()];
-        let effect = vec![0.0; environment.effect_dim()];
-        check_length("motor_space", history.motor_space().low(), command.len())?;
-        check_length("effect", &effect, history.effect_dim())?;
         if strategies.needs_commands() && !history.keeps_commands() {
             return Err(Error::Empty { name: "commands" });
         }
         let parts = strategies.parts;
-        let mut gains = Gains::default();
-        let mut measures = Vec::with_capacity(parts.len());
+        let mut rewards = Rewards::default();
+        let mut rewarded = Vec::with_capacity(parts.len());
         for part in &parts {
-            measures.push(match part {
+            rewarded.push(match part {
                 Part::Composite(composite, _) => {
-                    composite.measure().map(|by| gains.of(by, effect.len())).transpose()?
+                    composite.reward().map(|kind| rewards.place_of(kind))
                 }
                 Part::Strategy(strategy) => {
-                    strategy.check(&history)?;
+                    strategy.check(history)?;
                     None
                 }
             });
         }
-        let paths = Paths::new(root);
-        let (ends, diversities) = (Vec::new(), Vec::new());
-        Ok(Self {
-            environment,
-            parts,
-            measures,
-            history,
-            gains,
-            paths,
-            ends,
-            diversities,
-            command,
-            effect,
-        })
-    }
-
-    /// Makes room for the log of so many more steps.
-    ///
-    /// # Errors
-    /// If there is no memory for it.
-    pub fn reserve(&mut self, n: usize) -> Result<(), Error> {
-        let beliefs = self.beliefs().map_or(0, <[f64]>::len);
-        self.history.reserve(n)?;
-        reserve(&mut self.ends, n, 1)?;
-        reserve(&mut self.diversities, n, beliefs)
-    }
-
-    /// Makes so many more steps; all randomness comes from `draws`.
-    ///
-    /// # Errors
-    /// If `n` is more than can be logged; nothing has changed then. Or if the environment refuses a
-    /// command, or a part of one's own breaks its promise: the steps before are made then, and
-    /// of the one that failed nothing is left but the draws and choices made for it.
-    pub fn run(&mut self, n: usize, draws: &mut dyn UniformStream) -> Result<(), Error> {
-        self.history.check_room(n)?;
-        (0..n).try_for_each(|_| self.step(draws))
-    }
-
-    /// How many steps have been made.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.history.len()
-    }
-
-    /// Whether none has.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.history.is_empty()
-    }
-
-    fn step(&mut self, draws: &mut dyn UniformStream) -> Result<(), Error> {
-        let proposer = self.propose(draws)?;
-        self.history.motor_space().check("command", &self.command)?;
-        self.environment.effect_into(&self.command, &mut self.effect)?;
-        check_finite("effect", &self.effect, self.effect.len())?;
-        if let Part::Composite(outermost, _) = &self.parts[self.paths.part(ROOT)]
-            && let Some(diversities) = outermost.diversities()
-        {
-            self.diversities.extend_from_slice(diversities);
+        let (proposal, effect) = (Proposal::new(history.motor_space().dim()), Vec::new());
+        let mut new =
+            Self { parts, root, rewarded, rewards, has_begun: false, proposal, effect };
+        if history.effect_dim().is_some() {
+            new.begin(history)?;
         }
-        self.history.record(&self.command, &self.effect);
-        self.ends.push(proposer);
-        self.observe(proposer);
+        Ok(new)
+    }
+
+    /// Starts what depends on the dimension of the effects, once that is known.
+    fn begin(&mut self, history: &History) -> Result<(), Error> {
+        let Some(dim) = history.effect_dim().filter(|_| !self.has_begun) else { return Ok(()) };
+        self.rewards.start(dim)?;
+        for part in &mut self.parts {
+            match part {
+                Part::Composite(composite, _) => composite.begin(dim)?,
+                Part::Strategy(strategy) => strategy.check(history)?,
+            }
+        }
+        self.has_begun = true;
         Ok(())
     }
 
-    /// Lets the strategies choose down to the one that writes the command; returns its node.
-    fn propose(&mut self, draws: &mut dyn UniformStream) -> Result<u32, Error> {
-        let mut node = ROOT;
+    /// Lets the strategies choose down to the one that proposes a command; all randomness comes
+    /// from `draws`.
+    ///
+    /// # Errors
+    /// If a strategy cannot propose, or proposes what is no command.
+    pub fn propose(
+        &mut self,
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        proposal: &mut Proposal,
+    ) -> Result<(), Error> {
+        proposal.estimates.clear();
+        proposal.estimates.extend_from_slice(self.estimates().unwrap_or(&[]));
+        proposal.choices.clear();
+        let (mut place, mut end) = (self.root, ROOT);
         loop {
-            match &mut self.parts[self.paths.part(node)] {
+            match &mut self.parts[place] {
                 Part::Composite(composite, parts) => {
-                    let index = composite.choose(draws);
-                    if index >= parts.len() {
+                    let choice = composite.choose(draws);
+                    let Some(&chosen) = parts.get(choice.part) else {
                         let must_be = format!("less than the number of parts, {}", parts.len());
-                        return Err(Error::Count { name: "choice", must_be, got: index });
-                    }
-                    node = self.paths.child(node, index, parts);
+                        return Err(Error::Count { name: "choice", must_be, got: choice.part });
+                    };
+                    proposal.choices.push((place, choice));
+                    end = history.paths_mut().child(end, choice.part as u32);
+                    place = chosen;
                 }
                 Part::Strategy(strategy) => {
-                    strategy.propose(&mut self.history, draws, &mut self.command)?;
-                    return Ok(node);
+                    strategy.propose(history, draws, &mut proposal.command)?;
+                    proposal.goal.clear();
+                    let goal = strategy.goal();
+                    proposal.has_goal = goal.is_some();
+                    proposal.goal.extend_from_slice(goal.unwrap_or(&[]));
+                    proposal.end = end;
+                    return history.motor_space().check("command", &proposal.command);
                 }
             }
         }
     }
 
-    /// Tells those who had a part in proposing the newest effect what it has gained.
-    fn observe(&mut self, mut node: u32) {
-        while let Some((parent, index)) = self.paths.parent(node) {
-            let part = self.paths.part(parent);
-            if let (Some(place), Part::Composite(composite, _)) =
-                (self.measures[part], &mut self.parts[part])
+    /// Records the effect of a proposal, and rewards those who chose on the way to it.
+    ///
+    /// # Errors
+    /// If the effect is not finite or of another dimension than those before: nothing is recorded
+    /// then. If it cannot be rewarded, it is recorded.
+    pub fn observe(
+        &mut self,
+        history: &mut History,
+        proposal: &Proposal,
+        effect: &[f64],
+    ) -> Result<(), Error> {
+        history.check_effect(effect)?;
+        history.log(&proposal.command, effect, proposal.end, &proposal.estimates)?;
+        self.begin(history)?;
+        for &(place, choice) in proposal.choices.iter().rev() {
+            if let (Some(reward), Part::Composite(composite, _)) =
+                (self.rewarded[place], &mut self.parts[place])
             {
-                composite.credit(index, self.gains.newest(place, &self.history));
+                let reward = self.rewards.newest(reward, history, proposal.goal())?;
+                composite.learn(choice, reward);
             }
-            node = parent;
+        }
+        Ok(())
+    }
+
+    /// Tells those who chose on the way to a proposal that it has failed.
+    pub fn fail(&mut self, proposal: &Proposal) {
+        for &(place, choice) in proposal.choices.iter().rev() {
+            if let Part::Composite(composite, _) = &mut self.parts[place] {
+                composite.fail(choice);
+            }
         }
     }
 
-    /// What the outermost strategy believes, if it is a bandit.
-    fn beliefs(&self) -> Option<&[f64]> {
-        match &self.parts[self.paths.part(ROOT)] {
-            Part::Composite(composite, _) => composite.diversities(),
+    /// What the outermost strategy believes of each of its parts, if it is a bandit.
+    #[must_use]
+    pub fn estimates(&self) -> Option<&[f64]> {
+        match &self.parts[self.root] {
+            Part::Composite(composite, _) => composite.estimates(),
             Part::Strategy(_) => None,
         }
     }
 
-    /// What is left of it.
+    /// Explores `environment` for `n` more evaluations.
     ///
     /// # Errors
-    /// If there is no memory for the paths.
-    pub fn into_log(self) -> Result<Log, Error> {
-        let depth = self.paths.depth();
-        let mut paths = Vec::new();
-        reserve(&mut paths, self.ends.len(), depth)?;
-        paths.resize(self.ends.len() * depth, -1);
-        for (&end, row) in self.ends.iter().zip(paths.chunks_exact_mut(depth.max(1))) {
-            self.paths.write(end, row);
-        }
-        let (commands, effects) = self.history.into_log();
-        Ok(Log { commands, effects, paths, depth, diversities: self.diversities })
+    /// If it does not lead from the motor space to the effects of the history, refuses a command, or
+    /// a part breaks its promise; the steps before are recorded then.
+    pub fn run(
+        &mut self,
+        environment: &mut dyn Environment,
+        history: &mut History,
+        n: usize,
+        draws: &mut dyn UniformStream,
+    ) -> Result<(), Error> {
+        check_length("motor_space", history.motor_space().low(), environment.motor_dim())?;
+        let mut proposal = std::mem::replace(&mut self.proposal, Proposal::new(0));
+        let mut effect = std::mem::take(&mut self.effect);
+        effect.resize(environment.effect_dim(), 0.0);
+        let done = (0..n).try_for_each(|_| {
+            self.propose(history, draws, &mut proposal)?;
+            environment.effect_into(&proposal.command, &mut effect)?;
+            self.observe(history, &proposal, &effect)
+        });
+        (self.proposal, self.effect) = (proposal, effect);
+        done
     }
 }

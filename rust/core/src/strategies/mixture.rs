@@ -1,6 +1,6 @@
 //! Mixture: strategies chosen with fixed probabilities.
 
-use super::Composite;
+use super::{Choice, Composite};
 use crate::bounds::UniformStream;
 use crate::error::{Error, check_finite};
 
@@ -42,8 +42,8 @@ impl Composite for Mixture {
         self.weights.len()
     }
 
-    fn choose(&mut self, draws: &mut dyn UniformStream) -> usize {
-        proportionally(self.weights.iter().copied(), draws.next())
+    fn choose(&mut self, draws: &mut dyn UniformStream) -> Choice {
+        Choice::of(proportionally(self.weights.iter().copied(), draws.next()))
     }
 }
 

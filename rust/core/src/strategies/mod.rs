@@ -1,8 +1,7 @@
-//! The built-in strategies, as the engine runs them: who proposes the next motor command.
+//! The strategies, as the engine runs them: who proposes the next motor command.
 //!
 //! A [`Strategy`] proposes by itself; a [`Composite`] lets one of several parts propose. Each has
-//! its specification in the Python class of the same name, to which a test holds it equal bit
-//! by bit.
+//! its counterpart in the Python class of the same name, to which a test holds it equal bit by bit.
 
 mod goal_babbling;
 mod mixture;
@@ -11,8 +10,9 @@ mod schedule;
 
 use std::fmt;
 
+use crate::bandits::policies::Choice;
+use crate::bandits::rewards::RewardKind;
 use crate::bounds::UniformStream;
-use crate::coverage::Coverage;
 use crate::error::Error;
 use crate::history::History;
 
@@ -36,6 +36,11 @@ pub trait Strategy: fmt::Debug + Send + Sync {
         command: &mut [f64],
     ) -> Result<(), Error>;
 
+    /// The goal of the command proposed last, if it has one.
+    fn goal(&self) -> Option<&[f64]> {
+        None
+    }
+
     /// Whether it looks at the commands of the history; if not, they need not be kept.
     fn needs_commands(&self) -> bool;
 
@@ -54,22 +59,37 @@ pub trait Composite: fmt::Debug + Send + Sync {
     /// How many parts it chooses among: at least one.
     fn parts(&self) -> usize;
 
-    /// The part that is to propose next, less than [`parts`](Self::parts).
-    fn choose(&mut self, draws: &mut dyn UniformStream) -> usize;
+    /// The part that is to propose next, less than [`parts`](Self::parts), and with which
+    /// probability it was chosen, where that is known.
+    fn choose(&mut self, draws: &mut dyn UniformStream) -> Choice;
 
-    /// The empty union of balls by which it wants to be told of gains; None if it does not.
-    fn measure(&self) -> Option<&Coverage> {
+    /// What it rewards its parts for, if it does.
+    fn reward(&self) -> Option<&RewardKind> {
         None
     }
 
-    /// Learns what the newest effect, which came from `part`, gained. Asked only if there is a
-    /// [`measure`](Self::measure).
-    fn credit(&mut self, part: usize, gain: f64) {
-        let _ = (part, gain);
+    /// Learns the dimension of the effects, known from the first of them.
+    ///
+    /// # Errors
+    /// If effects of that dimension cannot be rewarded.
+    fn begin(&mut self, effect_dim: usize) -> Result<(), Error> {
+        let _ = effect_dim;
+        Ok(())
+    }
+
+    /// Learns the reward of the newest effect, proposed by part `choice.part`. Called only if there
+    /// is a [`reward`](Self::reward).
+    fn learn(&mut self, choice: Choice, reward: f64) {
+        let _ = (choice, reward);
+    }
+
+    /// Learns that a trial of part `choice.part` has failed.
+    fn fail(&mut self, choice: Choice) {
+        let _ = choice;
     }
 
     /// What a bandit believes of each of its parts, always as many numbers; None for all others.
-    fn diversities(&self) -> Option<&[f64]> {
+    fn estimates(&self) -> Option<&[f64]> {
         None
     }
 }

@@ -1,6 +1,6 @@
 //! Schedule: one strategy after another.
 
-use super::Composite;
+use super::{Choice, Composite};
 use crate::bounds::UniformStream;
 use crate::error::Error;
 
@@ -14,20 +14,15 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// Of parts that have these numbers of steps, and a last one. It begins with, or goes on in,
-    /// part `phase`, which has `proposed` so many commands already.
+    /// Of parts that have these numbers of steps, and a last one.
     ///
     /// # Errors
-    /// If a part has no steps, or there is no part `phase`.
-    pub fn new(steps: Vec<u64>, phase: usize, proposed: u64) -> Result<Self, Error> {
+    /// If a part has no steps.
+    pub fn new(steps: Vec<u64>) -> Result<Self, Error> {
         if steps.contains(&0) {
             return Err(Error::Count { name: "steps", must_be: "at least 1 each".into(), got: 0 });
         }
-        if phase > steps.len() {
-            let must_be = format!("one of {} parts", steps.len() + 1);
-            return Err(Error::Count { name: "phase", must_be, got: phase });
-        }
-        Ok(Self { steps, phase, proposed })
+        Ok(Self { steps, phase: 0, proposed: 0 })
     }
 }
 
@@ -36,12 +31,12 @@ impl Composite for Schedule {
         self.steps.len() + 1
     }
 
-    fn choose(&mut self, _draws: &mut dyn UniformStream) -> usize {
+    fn choose(&mut self, _draws: &mut dyn UniformStream) -> Choice {
         if self.steps.get(self.phase).is_some_and(|&steps| self.proposed >= steps) {
             self.phase += 1;
             self.proposed = 0;
         }
         self.proposed = self.proposed.saturating_add(1);
-        self.phase
+        Choice::of(self.phase)
     }
 }

@@ -1,34 +1,34 @@
-"""FunctionCredit: credit by a plain function of one's own."""
+"""FunctionReward: reward by a plain function."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import real
+from divbandit._value import Value
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import numpy as np
     from numpy.typing import NDArray
 
     from divbandit.history import History
-    from divbandit.strategies.base import Trial
+    from divbandit.strategies.trial import Trial
 
 
-class FunctionCredit:
+@dataclass(frozen=True, init=False, repr=False)
+class FunctionReward(Value):
     """What a function makes of an effect and the history, of which the effect is the newest.
 
-    A bandit takes the function itself as well, as one whose credits have no bound. It sees the
-    history as it is when the effect is told, so effects are told one by one.
+    A bandit takes the function itself as well, as a reward without a bound.
 
     Parameters
     ----------
     function : callable
-        ``function(effect, history) -> float``, with the effect of shape (s,). To save a bandit
-        by pickle it must be picklable, as functions with a name of their own are.
+        ``function(effect, history) -> float``, with the effect of shape (s,).
     bound : float
-        What no credit exceeds; 0.0 where there is no such bound.
+        What no reward exceeds; 0.0 where there is no such bound.
 
     Attributes
     ----------
@@ -38,20 +38,23 @@ class FunctionCredit:
     Raises
     ------
     TypeError, ValueError
-        If `function` is not callable, or `bound` is no number or negative.
+        If `function` is not callable, or `bound` is not a number or negative.
 
     Examples
     --------
     >>> import divbandit as db
-    >>> from divbandit.bandits import FunctionCredit, Proportional, Window
+    >>> from divbandit.bandits import FunctionReward, Proportional, Window
     >>> def height(effect, history):
     ...     return max(0.0, float(effect[1]))
     >>> babblings = [db.MotorBabbling(), db.GoalBabbling(0.05)]
-    >>> credit = FunctionCredit(height, bound=1.0)
-    >>> bandit = db.Bandit(babblings, credit=credit, memory=Window(50), rule=Proportional())
+    >>> reward = FunctionReward(height, bound=1.0)
+    >>> bandit = db.Bandit(babblings, reward=reward, estimator=Window(50), policy=Proportional())
     >>> len(db.explore(db.PlanarArm(20), bandit, n=100, rng=0))
     100
     """
+
+    function: Callable[[NDArray[np.float64], History], float]
+    bound: float
 
     def __init__(
         self,
@@ -64,18 +67,19 @@ class FunctionCredit:
                 "function must be callable, of an effect and a history, "
                 f"got {type(function).__name__}"
             )
-        self.function = function
-        self.bound = real("bound", bound, low=0.0)
+        self._set(function=function, bound=real("bound", bound, low=0.0))
 
     def largest(self, dim: int) -> float:
-        """Return what no credit exceeds, as given."""
+        """Return what no reward exceeds, as given."""
         del dim
         return self.bound
 
-    def of(self, trial: Trial, effect: NDArray[np.float64], history: History) -> float:
+    def start(self, dim: int) -> FunctionReward:
+        """Return itself: it remembers nothing."""
+        del dim
+        return self
+
+    def of(self, trial: Trial, effect: NDArray[np.float64], history: History) -> Any:  # noqa: ANN401 - checked by the bandit
         """Return what the function does."""
         del trial
         return self.function(effect, history)
-
-    def __repr__(self) -> str:
-        return f"FunctionCredit({self.function!r}, bound={self.bound!r})"

@@ -1,0 +1,111 @@
+//! Bandit: parts chosen by a policy, given what an estimator holds of their rewards.
+
+use super::estimators::{Estimator, EstimatorKind};
+use super::policies::{Choice, Estimates, Policy, PolicyKind};
+use super::rewards::RewardKind;
+use crate::bounds::UniformStream;
+use crate::error::Error;
+use crate::strategies::Composite;
+
+/// The dimension that effects are taken to have until the first of them tells it.
+const PLANE: usize = 2;
+
+/// A bandit in three parts: reward, estimator and policy. A trial that failed earns 0.
+#[derive(Debug)]
+pub struct Bandit {
+    parts: usize,
+    reward: RewardKind,
+    estimator: EstimatorKind,
+    policy: PolicyKind,
+    /// What no reward exceeds; 0 where there is no such bound.
+    largest: f64,
+    estimates: Box<dyn Estimator>,
+    choosing: Box<dyn Policy>,
+    /// The failures before the first effect, to be remembered when that starts all once more.
+    failed: Vec<Choice>,
+    dim_is_known: bool,
+}
+
+impl Bandit {
+    /// Over so many `parts`; `effect_dim` is None until the first effect tells it.
+    ///
+    /// # Errors
+    /// If there are no parts, or one of the three cannot start with them.
+    pub fn new(
+        parts: usize,
+        reward: RewardKind,
+        estimator: EstimatorKind,
+        policy: PolicyKind,
+        effect_dim: Option<usize>,
+    ) -> Result<Self, Error> {
+        if parts == 0 {
+            return Err(Error::Count { name: "parts", must_be: "at least 1".into(), got: parts });
+        }
+        let largest = reward.largest(effect_dim.unwrap_or(PLANE)).or_else(|error| {
+            // Said when the first effect tells its dimension.
+            if effect_dim.is_none() { Ok(0.0) } else { Err(error) }
+        })?;
+        Ok(Self {
+            parts,
+            estimates: estimator.start(parts, largest)?,
+            choosing: policy.start(parts, largest)?,
+            reward,
+            estimator,
+            policy,
+            largest,
+            failed: Vec::new(),
+            dim_is_known: effect_dim.is_some(),
+        })
+    }
+}
+
+impl Composite for Bandit {
+    fn parts(&self) -> usize {
+        self.parts
+    }
+
+    fn choose(&mut self, draws: &mut dyn UniformStream) -> Choice {
+        let estimates = Estimates {
+            means: self.estimates.means(),
+            counts: self.estimates.counts(),
+            largest: self.estimates.largest(),
+        };
+        self.choosing.choose(&estimates, draws)
+    }
+
+    fn reward(&self) -> Option<&RewardKind> {
+        Some(&self.reward)
+    }
+
+    fn begin(&mut self, effect_dim: usize) -> Result<(), Error> {
+        if self.dim_is_known {
+            return Ok(());
+        }
+        let largest = self.reward.largest(effect_dim)?;
+        self.dim_is_known = true;
+        let failed = std::mem::take(&mut self.failed);
+        if largest != self.largest {
+            self.largest = largest;
+            self.estimates = self.estimator.start(self.parts, largest)?;
+            self.choosing = self.policy.start(self.parts, largest)?;
+            failed.into_iter().for_each(|choice| self.learn(choice, 0.0));
+        }
+        Ok(())
+    }
+
+    fn learn(&mut self, choice: Choice, reward: f64) {
+        self.estimates.add(choice.part, reward);
+        self.choosing.learn(choice.part, reward, choice.probability);
+    }
+
+    fn fail(&mut self, choice: Choice) {
+        if !self.dim_is_known {
+            self.failed.push(choice);
+        }
+        self.learn(choice, 0.0);
+    }
+
+    fn estimates(&self) -> Option<&[f64]> {
+        Some(self.estimates.means())
+    }
+}

@@ -1,0 +1,83 @@
+//! CompetenceProgress: by how much the nearest effect to the goal has come nearer.
+
+use super::Reward;
+use crate::error::Error;
+use crate::history::History;
+use crate::kdtree::NearestNeighbors;
+
+/// The distance from the goal to the nearest effect known before, less that to the newest effect; 0
+/// where this is negative, where the trial has no goal, and for the first effect of all (in the
+/// spirit of Baranes and Oudeyer 2013, "Active Learning of Inverse Models with Intrinsically
+/// Motivated Goal Exploration in Robots", Robotics and Autonomous Systems 61(1), 49-73).
+#[derive(Debug)]
+pub(super) struct CompetenceProgress {
+    /// The effects before the newest.
+    before: NearestNeighbors,
+}
+
+impl CompetenceProgress {
+    pub fn new(dim: usize) -> Result<Self, Error> {
+        Ok(Self { before: NearestNeighbors::new(dim)? })
+    }
+}
+
+impl Reward for CompetenceProgress {
+    fn newest(&mut self, history: &History, goal: Option<&[f64]>) -> Result<f64, Error> {
+        let dim = self.before.dim();
+        let (known, newest) = history.effects().split_at((history.len() - 1) * dim);
+        let Some(goal) = goal.filter(|_| !known.is_empty()) else { return Ok(0.0) };
+        for effect in known[self.before.len() * dim..].chunks_exact(dim) {
+            self.before.log(effect);
+        }
+        self.before.file_all();
+        let (_, index) = self.before.nearest(goal)?;
+        let progress = distance(goal, &known[index * dim..][..dim]) - distance(goal, newest);
+        // Of two distances beyond all numbers, whose difference is none, 0 remains.
+        Ok(if progress > 0.0 { progress } else { 0.0 })
+    }
+}
+
+/// The Euclidean distance, by plain operations in order; nothing overflows in between.
+fn distance(one: &[f64], other: &[f64]) -> f64 {
+    let pairs = || one.iter().zip(other).map(|(x, y)| (x - y).abs());
+    let largest = pairs().fold(0.0, f64::max);
+    if !(largest > 0.0 && largest.is_finite()) {
+        return largest;
+    }
+    let mut total = 0.0;
+    for difference in pairs() {
+        let share = difference / largest;
+        total += share * share;
+    }
+    largest * total.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CompetenceProgress, Reward, distance};
+    use crate::bounds::Bounds;
+    use crate::history::History;
+
+    #[test]
+    fn progress_is_towards_the_goal() {
+        let unit = Bounds::new(vec![0.0], vec![1.0]).unwrap();
+        let mut history = History::new(unit, None, true, 0).unwrap();
+        let mut progress = CompetenceProgress::new(1).unwrap();
+        let mut after = |effect: f64, goal: Option<&[f64]>| {
+            history.record(&[0.5], &[effect], &[], &[]).unwrap();
+            progress.newest(&history, goal).unwrap()
+        };
+        assert_eq!(after(0.0, Some(&[5.0])), 0.0); // the first
+        assert_eq!(after(1.0, Some(&[5.0])), 1.0);
+        assert_eq!(after(9.0, None), 0.0); // no goal
+        assert_eq!(after(6.0, Some(&[5.0])), 3.0);
+        assert_eq!(after(0.0, Some(&[5.0])), 0.0); // farther
+    }
+
+    #[test]
+    fn distances_do_not_overflow() {
+        assert_eq!(distance(&[3e200, 0.0], &[0.0, 4e200]), 5e200);
+        assert_eq!(distance(&[0.0], &[0.0]), 0.0);
+        assert_eq!(distance(&[1.7e308], &[-1.7e308]), f64::INFINITY);
+    }
+}

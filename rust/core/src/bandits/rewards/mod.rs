@@ -1,0 +1,57 @@
+//! Rewards: what a bandit pays the strategy that produced an effect.
+//!
+//! - [`RewardKind::Gain`]: what the effect adds to a measure of diversity, as in the paper;
+//! - [`RewardKind::CompetenceProgress`]: by how much it came nearer to the trial's goal.
+
+mod competence_progress;
+mod gain;
+
+use std::fmt;
+
+use crate::error::Error;
+use crate::history::History;
+use crate::measures::MeasureKind;
+use competence_progress::CompetenceProgress;
+use gain::Gain;
+
+/// A reward under way: it follows from the history alone, so that bandits may share one.
+pub trait Reward: fmt::Debug + Send + Sync {
+    /// The reward of the newest effect of the history, whose trial had this goal.
+    ///
+    /// # Errors
+    /// If that effect cannot be rewarded.
+    fn newest(&mut self, history: &History, goal: Option<&[f64]>) -> Result<f64, Error>;
+}
+
+/// Which reward it is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RewardKind {
+    /// The gain of an effect by this measure.
+    Gain(MeasureKind),
+    /// By how much the effect nearest to the goal has come nearer.
+    CompetenceProgress,
+}
+
+impl RewardKind {
+    /// What no reward exceeds where effects have `dim` dimensions; 0 where there is no such bound.
+    ///
+    /// # Errors
+    /// If effects of that dimension cannot be rewarded.
+    pub fn largest(&self, dim: usize) -> Result<f64, Error> {
+        match self {
+            Self::Gain(measure) => Ok(measure.start(dim)?.largest_gain()),
+            Self::CompetenceProgress => Ok(0.0),
+        }
+    }
+
+    /// Starts with a history of effects of `dim` dimensions.
+    ///
+    /// # Errors
+    /// If effects of that dimension cannot be rewarded.
+    pub fn start(&self, dim: usize) -> Result<Box<dyn Reward>, Error> {
+        Ok(match self {
+            Self::Gain(measure) => Box::new(Gain::new(measure.start(dim)?)),
+            Self::CompetenceProgress => Box::new(CompetenceProgress::new(dim)?),
+        })
+    }
+}

@@ -1,0 +1,165 @@
+//! Binding of the history: the log of an exploration, shared by the loop in Python and the engine.
+
+use divbandit_core::History;
+use divbandit_core::history::Log;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use crate::arrays::Floats;
+use crate::bounds::PyBounds;
+use crate::errors::value_error;
+use crate::kdtree::found;
+
+/// Rows of numbers, and of indices.
+type Rows<'py, T> = Bound<'py, PyArray2<T>>;
+
+/// Commands (if kept), effects, paths and, of a bandit, estimates: an array each.
+type Arrays<'py> =
+    (Option<Rows<'py, f64>>, Rows<'py, f64>, Rows<'py, i64>, Option<Rows<'py, f64>>);
+
+/// The log of an exploration, and the k-d tree of its effects.
+///
+/// Parameters
+/// ----------
+/// motor_space : Bounds
+/// sensory_space : Bounds, optional
+/// keeps_commands : bool
+///     Without it, commands are forgotten as soon as they are recorded.
+/// width : int
+///     How many estimates are logged with each step.
+///
+/// Examples
+/// --------
+/// >>> from divbandit._core import Bounds, History
+/// >>> history = History(Bounds([-1], [1]), None)
+/// >>> history.record([0.5], [1.0, 2.0], (0, 1), None)
+/// >>> history.effect_dim, len(history), history.paths_from(0)
+/// (2, 1, [(0, 1)])
+#[pyclass(module = "divbandit._core", name = "History")]
+pub(crate) struct PyHistory(pub History);
+
+#[pymethods]
+impl PyHistory {
+    #[new]
+    #[pyo3(signature = (motor_space, sensory_space, keeps_commands=true, width=0))]
+    fn new(
+        motor_space: &Bound<'_, PyBounds>,
+        sensory_space: Option<&Bound<'_, PyBounds>>,
+        keeps_commands: bool,
+        width: usize,
+    ) -> PyResult<Self> {
+        let (m, s) = (&motor_space.get().0, sensory_space.map(|space| space.get().0.clone()));
+        History::new(m.clone(), s, keeps_commands, width).map(Self).map_err(value_error)
+    }
+
+    /// The dimension of the effects; None until the first tells it.
+    #[getter]
+    fn effect_dim(&self) -> Option<usize> {
+        self.0.effect_dim()
+    }
+
+    /// Record one evaluation, who proposed it, and what the bandit believed.
+    fn record(
+        &mut self,
+        command: &Bound<'_, PyAny>,
+        effect: &Bound<'_, PyAny>,
+        path: Vec<u32>,
+        estimates: Option<Vec<f64>>,
+    ) -> PyResult<()> {
+        let command = Floats::point("command", command, Some(self.0.motor_space().dim()))?;
+        let effect = Floats::point("effect", effect, self.0.effect_dim())?;
+        let estimates = estimates.unwrap_or_default();
+        self.0.record(command.slice()?, effect.slice()?, &path, &estimates).map_err(value_error)
+    }
+
+    /// The effects nearest to a goal: as `NearestNeighbors.nearest` finds them.
+    fn nearest<'py>(
+        &mut self,
+        py: Python<'py>,
+        goal: &Bound<'py, PyAny>,
+        k: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let observed = self.0.observed().map_err(value_error)?;
+        found(py, observed.effects, "goal", goal, Some(k))
+    }
+
+    /// The commands from a row on, copied.
+    fn commands_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Rows<'py, f64>> {
+        rows(py, self.0.commands(), self.0.motor_space().dim(), first)
+    }
+
+    /// The effects from a row on, copied.
+    fn effects_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Rows<'py, f64>> {
+        rows(py, self.0.effects(), self.0.effect_dim().unwrap_or(0), first)
+    }
+
+    /// The paths from a row on.
+    fn paths_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Vec<Bound<'py, PyTuple>>> {
+        let (paths, ends) = self.0.paths();
+        let mut row = Vec::new();
+        let ends = ends.get(first..).unwrap_or_default();
+        ends.iter()
+            .map(|&end| {
+                row.resize(paths.length(end), 0);
+                paths.write(end, &mut row);
+                PyTuple::new(py, &row)
+            })
+            .collect()
+    }
+
+    /// Copies of all that was logged: commands, effects, paths, estimates.
+    fn arrays<'py>(&self, py: Python<'py>, keep_commands: bool) -> PyResult<Arrays<'py>> {
+        let log = py.detach(|| self.0.clone().into_log()).map_err(value_error)?;
+        self.as_arrays(py, log, keep_commands)
+    }
+
+    /// All that was logged, without copies: the log is empty then.
+    fn take<'py>(&mut self, py: Python<'py>, keep_commands: bool) -> PyResult<Arrays<'py>> {
+        let (space, goals) = (self.0.motor_space().clone(), self.0.sensory_space().cloned());
+        let width = self.0.estimates().1;
+        let empty = History::new(space, goals, self.0.keeps_commands(), width).map_err(value_error)?;
+        let full = std::mem::replace(&mut self.0, empty);
+        let log = py.detach(|| full.into_log()).map_err(value_error)?;
+        self.as_arrays(py, log, keep_commands)
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
+    }
+}
+
+impl PyHistory {
+    /// A log as arrays; its spaces and widths are those of this history.
+    fn as_arrays<'py>(
+        &self,
+        py: Python<'py>,
+        log: Log,
+        keep_commands: bool,
+    ) -> PyResult<Arrays<'py>> {
+        let (m, width) = (self.0.motor_space().dim(), self.0.estimates().1);
+        let n = log.commands.len().checked_div(m).unwrap_or(0).max(
+            log.paths.len().checked_div(log.depth).unwrap_or(0),
+        );
+        let n = n.max(self.0.effect_dim().map_or(0, |s| log.effects.len() / s));
+        let s = log.effects.len().checked_div(n).unwrap_or(self.0.effect_dim().unwrap_or(0));
+        let array = |numbers: Vec<f64>, width: usize| numbers.into_pyarray(py).reshape([n, width]);
+        Ok((
+            if keep_commands { Some(array(log.commands, m)?) } else { None },
+            array(log.effects, s)?,
+            PyArray1::from_vec(py, log.paths).reshape([n, log.depth])?,
+            if width > 0 { Some(array(log.estimates, width)?) } else { None },
+        ))
+    }
+}
+
+/// Rows of `width` numbers from row `first` on, copied.
+fn rows<'py>(
+    py: Python<'py>,
+    numbers: &[f64],
+    width: usize,
+    first: usize,
+) -> PyResult<Rows<'py, f64>> {
+    let rest = numbers.get(first * width..).unwrap_or_default();
+    PyArray1::from_slice(py, rest).reshape([rest.len().checked_div(width).unwrap_or(0), width])
+}

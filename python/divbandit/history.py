@@ -1,7 +1,7 @@
-"""History: the log of an exploration - commands, effects and who chose them.
+"""History: the log of an exploration - commands, effects and who proposed them.
 
 The log is the state. Whatever else an exploration needs (the k-d tree here, coverage and
-windows in the bandits) is derived from it and can be rebuilt by reading it again.
+estimates in the bandits) follows from it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from divbandit.box import Box, BoxLike
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.random import Generator
     from numpy.typing import ArrayLike, NDArray
 
 
@@ -30,7 +29,7 @@ class Failure(NamedTuple):
     reason : str
         What went wrong.
     path : tuple of int
-        Who chose the command: indices of strategies, outermost first.
+        Who proposed the command: indices of strategies, outermost first.
     place : int
         How many effects were known by then.
 
@@ -67,7 +66,7 @@ class History:
     Raises
     ------
     TypeError, ValueError
-        If a space is no box.
+        If a space is not a box.
 
     Examples
     --------
@@ -83,28 +82,45 @@ class History:
         self.sensory_space = (
             None if sensory_space is None else Box.of(sensory_space, name="sensory_space")
         )
-        self._commands = np.empty((0, self.motor_space.dim))
-        self._effects = np.empty((0, 0 if self.sensory_space is None else self.sensory_space.dim))
-        self._paths: list[tuple[int, ...]] = []
+        self._is_explorers = False
         self._failures: list[Failure] = []
-        self._tree: _core.NearestNeighbors | None = None
+        self.keep()
+
+    def keep(self, *, commands: bool = True, width: int = 0) -> None:
+        """Begin the log: whether commands are kept, how many estimates come with each step.
+
+        For explorers, before the first evaluation.
+        """
+        goals = self.sensory_space
+        bounds = None if goals is None else goals.bounds
+        self._log = _core.History(self.motor_space.bounds, bounds, commands, width)
+        # Copies of the log in NumPy's memory, as far as they were looked at.
+        self._commands = np.empty((0, self.motor_space.dim))
+        self._effects = np.empty((0, 0 if goals is None else goals.dim))
+        self._looked_at = [0, 0]
+        self._paths: list[tuple[int, ...]] = []
 
     def __len__(self) -> int:
-        return len(self._paths)
+        return len(self._log)
 
     @property
     def commands(self) -> NDArray[np.float64]:
         """The motor commands in order of observation, shape (n, m); a read-only view."""
+        self._commands = _extended(self._commands, self._log.commands_from(self._looked_at[0]), len(self))
+        self._looked_at[0] = len(self)
         return _read_only(self._commands[: len(self)])
 
     @property
     def effects(self) -> NDArray[np.float64]:
         """The effects in order of observation, shape (n, s); a read-only view."""
+        self._effects = _extended(self._effects, self._log.effects_from(self._looked_at[1]), len(self))
+        self._looked_at[1] = len(self)
         return _read_only(self._effects[: len(self)])
 
     @property
     def paths(self) -> Sequence[tuple[int, ...]]:
-        """Who chose each command: indices of strategies, outermost first."""
+        """Who proposed each command: indices of strategies, outermost first."""
+        self._paths += self._log.paths_from(len(self._paths))
         return tuple(self._paths)
 
     @property
@@ -114,20 +130,18 @@ class History:
 
     @property
     def effect_dim(self) -> int | None:
-        """The dimension of the effects; None until there is a way to know it."""
-        if self.sensory_space is not None:
-            return self.sensory_space.dim
-        return self._effects.shape[1] if self._paths else None
+        """The dimension of the effects; None until the first effect tells it."""
+        return self._log.effect_dim
 
     def append(self, command: ArrayLike, effect: ArrayLike, *, path: tuple[int, ...] = ()) -> None:
-        """Record one evaluation.
+        """Record one evaluation; an explorer's history takes none (see `Explorer.add_past`).
 
         Parameters
         ----------
         command : array_like, shape (m,)
         effect : array_like, shape (s,)
         path : tuple of int
-            Who chose the command: indices of strategies, outermost first.
+            Who proposed the command: indices of strategies, outermost first.
 
         Raises
         ------
@@ -145,76 +159,16 @@ class History:
             ...
         ValueError: effect must have shape (1,), got (2,)
         """
+        if self._is_explorers:
+            raise ValueError(
+                "history must be written by its explorer: "
+                "use explorer.tell, or explorer.add_past for earlier evaluations"
+            )
         if not isinstance(path, tuple):
             raise TypeError(f"path must be a tuple of indices, got {type(path).__name__}")
-        self.record(
-            self.motor_space.bounds.command(command),
-            _core.as_point("effect", effect, self.effect_dim),
-            tuple(whole(f"path[{i}]", index, low=0) for i, index in enumerate(path)),
-        )
-
-    def record(
-        self, command: NDArray[np.float64], effect: NDArray[np.float64], path: tuple[int, ...]
-    ) -> None:
-        """Do what `append` does with arrays that are known to be right.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import divbandit as db
-        >>> history = db.History(db.Box([0], [1]))
-        >>> history.record(np.array([0.5]), np.array([7.0]), ())
-        >>> len(history)
-        1
-        """
-        n = len(self._paths)
-        if n == len(self._commands):
-            self._commands = _enlarged(self._commands, len(command))
-            self._effects = _enlarged(self._effects, len(effect))
-        self._commands[n] = command
-        self._effects[n] = effect
-        self._paths.append(path)
-
-    def record_many(
-        self,
-        commands: NDArray[np.float64],
-        effects: NDArray[np.float64],
-        paths: Sequence[tuple[int, ...]],
-    ) -> None:
-        """Do what as many calls of `record` do.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import divbandit as db
-        >>> history = db.History(db.Box([0], [1]))
-        >>> history.record_many(np.array([[0.5], [0.25]]), np.array([[7.0], [8.0]]), [(), ()])
-        >>> len(history)
-        2
-        """
-        n, end = len(self._paths), len(self._paths) + len(paths)
-        while end > len(self._commands):
-            self._commands = _enlarged(self._commands, commands.shape[1])
-            self._effects = _enlarged(self._effects, effects.shape[1])
-        self._commands[n:end] = commands
-        self._effects[n:end] = effects
-        self._paths.extend(paths)
-
-    def record_failure(
-        self, command: NDArray[np.float64], reason: str, path: tuple[int, ...]
-    ) -> None:
-        """Record an evaluation that came to nothing.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import divbandit as db
-        >>> history = db.History(db.Box([0], [1]))
-        >>> history.record_failure(np.array([0.5]), "power cut", ())
-        >>> history.failures
-        (Failure(command=array([0.5]), reason='power cut', path=(), place=0),)
-        """
-        self._failures.append(Failure(command, reason, path, len(self._paths)))
+        for i, index in enumerate(path):
+            whole(f"path[{i}]", index, low=0, high=2**32 - 1)
+        self._log.record(command, effect, path, None)
 
     @overload
     def nearest(self, goal: ArrayLike) -> tuple[float, int]: ...
@@ -253,78 +207,25 @@ class History:
         >>> history.nearest([8.5])
         (0.5, 1)
         """
-        tree = self.tree
-        return tree.nearest(_core.as_point("goal", goal, tree.dim), k=k)
-
-    def inverse(self, goal: ArrayLike, rng: Generator, *, d: float = 0.05) -> NDArray[np.float64]:
-        """Inverse_d(goal): the command of the nearest effect, perturbed.
-
-        Each coordinate is uniform within the share `d` of its motor range around that command,
-        inside the motor space (Inverse_d and Perturb_d of Benureau and Oudeyer 2015).
-
-        Parameters
-        ----------
-        goal : array_like, shape (s,)
-        rng : numpy.random.Generator
-            Advances by one ``rng.random()`` a coordinate.
-        d : float
-            Share of the motor range, in [0, 1].
-
-        Returns
-        -------
-        numpy.ndarray of float64, shape (m,)
-            Read-only.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If nothing was observed yet, `goal` is no finite point of the sensory space, or `d`
-            is not in [0, 1]; `rng` is then as it was.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import divbandit as db
-        >>> history = db.History(db.Box([0], [1]))
-        >>> history.append([0.25], [7.0])
-        >>> history.inverse([8.0], np.random.default_rng(0), d=0.1)
-        array([0.27739234])
-        """
-        return _core.inverse(goal, d, self.tree, self._commands, self.motor_space.bounds, rng)
-
-    @property
-    def tree(self) -> _core.NearestNeighbors:
-        """All effects in a k-d tree, brought up to date: to be searched, not to be added to.
-
-        A ValueError if nothing was observed yet.
-        """
-        tree = self._tree
-        if tree is None:
-            if not self._paths:
-                raise ValueError("history must not be empty: nothing was observed yet")
-            tree = self._tree = _core.NearestNeighbors(self._effects.shape[1])
-        known = len(tree)
-        missing = len(self._paths) - known
-        if missing == 1:
-            tree.add(self._effects[known])
-        elif missing > 1:
-            tree.extend(self._effects[known : known + missing])
-        return tree
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Leave out the k-d tree: it is made anew from the log."""
-        return {**self.__dict__, "_tree": None}
+        return self._log.nearest(goal, k)
 
     def __repr__(self) -> str:
         return f"<History of {len(self)} evaluations, {self.motor_space.dim} -> {self.effect_dim}>"
 
 
-def _enlarged(rows: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Return a copy of `rows` with room for twice as many."""
-    larger = np.empty((max(64, 2 * len(rows)), width))
-    if len(rows):
-        larger[: len(rows)] = rows
-    return larger
+def _extended(
+    rows: NDArray[np.float64], new: NDArray[np.float64], n: int
+) -> NDArray[np.float64]:
+    """Return rows whose last of `n` are the new ones, with room for more."""
+    if len(new) == 0:
+        return rows
+    if n > len(rows):
+        larger = np.empty((max(64, 2 * n), new.shape[1]))
+        if len(rows):
+            larger[: n - len(new)] = rows[: n - len(new)]
+        rows = larger
+    rows[n - len(new) : n] = new
+    return rows
 
 
 def _read_only(view: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from divbandit._checks import one_of, truth, whole
-from divbandit._engine import NotBuiltInError
 from divbandit.environments import Environment
-from divbandit.exploration.at_once import explore_at_once
+from divbandit.exploration.drivers import ENGINES
+from divbandit.exploration.executors import explore_with
 from divbandit.exploration.explorer import Explorer
-from divbandit.exploration.in_rust import explore_in_rust
+from divbandit.exploration.result import Exploration
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from concurrent.futures import Executor
-    from typing import Literal
 
     from divbandit._checks import Rng
-    from divbandit.exploration.result import Exploration
+    from divbandit.exploration.drivers import EngineName
     from divbandit.strategies.base import Strategy
-
-    Engine = Literal["auto", "python", "rust"]
-
-#: Where an exploration's steps can be made.
-ENGINES = ("auto", "python", "rust")
 
 
 def explore(
@@ -32,7 +27,7 @@ def explore(
     n: int,
     *,
     rng: Rng = None,
-    engine: Engine = "auto",
+    engine: EngineName = "auto",
     keep_commands: bool = True,
     executor: Executor | None = None,
     in_flight: int | None = None,
@@ -44,16 +39,17 @@ def explore(
     environment : Environment
         The black box: callable, with ``motor_space`` and ``sensory_space``.
     strategy : Strategy
-        Is copied; the one given is never changed.
+        Is never changed: what runs is started from it.
     n : int
         How many evaluations, at least 1. The engine makes room for what all of them leave before
         it begins, and refuses to where there is no memory for that.
     rng : None, int, SeedSequence or Generator
         All randomness comes from it; a Generator is drawn from, not copied.
     engine : {"auto", "python", "rust"}
-        Where the steps are made. In Rust, explorations that are made of built-in parts alone run
-        from first to last without Python, some ten times as fast, and to the same bits. ``"auto"``
-        does so where it can; ``"python"`` never does, ``"rust"`` insists on it.
+        Where strategies run. Compositions of the library's own parts run in Rust, over any
+        environment: one in Python is called back for its effects. ``"auto"`` does so where it can;
+        with ``"python"`` the loop is in Python, as it is for user-defined strategies, rewards,
+        policies and samplers, to the same bits; ``"rust"`` insists on Rust.
     keep_commands : bool
         False leaves the motor commands out of what is returned, most of its memory. In Rust they
         are not even held while exploring, unless a strategy looks at them, as goal babbling does.
@@ -77,14 +73,18 @@ def explore(
     ------
     TypeError, ValueError
         If an argument is not what it must be, or the strategy cannot explore this environment;
-        or if `engine` is ``"rust"`` and a part is not built in, which the message names.
+        or if `engine` is ``"rust"`` and a part is user-defined, which the message names.
     KeyboardInterrupt
-        On Ctrl-C; the run is lost then.
+        On Ctrl-C.
     RuntimeError
         If an executor was given, and not a single evaluation came to anything.
     Exception
-        What the environment raises, or an executor that breaks down; the run is lost then. For a
-        costly one use `Explorer`, whose history remains.
+        What the environment raises, or an executor that breaks down.
+
+    Notes
+    -----
+    An exception has the attribute ``explorer``, an `Explorer` that holds all that was observed, and
+    can be saved or gone on with.
 
     Examples
     --------
@@ -98,10 +98,12 @@ def explore(
         if in_flight is not None:
             raise ValueError(f"in_flight must be given with an executor alone, got {in_flight!r}")
         return explore_between(environment, strategy, n, rng, engine, keep_commands=keep_commands)
-    explorer = _begin(environment, strategy, n, rng, engine, keep_commands)
     if engine == "rust":
         raise ValueError('engine must not be "rust" where there is an executor')
-    explore_at_once(environment, explorer, n, executor=executor, in_flight=in_flight)
+    explorer = _explorer(environment, strategy, n, rng, engine, keep_commands=True)
+    truth("keep_commands", keep_commands)
+    with _holding(explorer):
+        explore_with(environment, explorer, n, executor=executor, in_flight=in_flight)
     return explorer.result(keep_commands=keep_commands)
 
 
@@ -110,14 +112,14 @@ def explore_between(
     strategy: Strategy,
     n: int,
     rng: Rng,
-    engine: Engine,
+    engine: EngineName,
     *,
     keep_commands: bool,
     between: Callable[[], object] | None = None,
 ) -> Exploration:
     """Do what `explore` does, and call `between` again and again; what it raises ends the run.
 
-    It is called after each step in Python, every twentieth of a second in Rust.
+    It is called after each step that calls Python, every twentieth of a second elsewhere.
 
     Examples
     --------
@@ -130,33 +132,20 @@ def explore_between(
         ...
     TimeoutError
     """
-    explorer = _begin(environment, strategy, n, rng, engine, keep_commands)
-    if engine != "python":
-        try:
-            return explore_in_rust(
-                environment, explorer, n, keep_commands=keep_commands, between=between
-            )
-        except NotBuiltInError as error:
-            if engine == "rust":
-                raise ValueError(
-                    'engine "rust" must be given built-in parts only, '
-                    f"got {error.where}, a {error.kind}"
-                ) from None
-    for _ in range(n):
-        trial = explorer.ask()
-        explorer.tell(trial, environment(trial.command))
-        if between is not None:
-            between()
-    return explorer.result(keep_commands=keep_commands)
+    explorer = _explorer(environment, strategy, n, rng, engine, keep_commands=keep_commands)
+    with _holding(explorer):
+        explorer._run(environment, n, between)  # noqa: SLF001 - its other half
+    return Exploration.of(explorer.history, keep_commands=keep_commands, take=True)
 
 
-def _begin(
+def _explorer(
     environment: Environment,
     strategy: Strategy,
     n: int,
     rng: Rng,
-    engine: str,
-    keep_commands: object,
+    engine: EngineName,
+    *,
+    keep_commands: bool,
 ) -> Explorer:
     """Check what an exploration is asked for, and return what will make it."""
     if not isinstance(environment, Environment):
@@ -164,8 +153,25 @@ def _begin(
             "environment must be callable and have motor_space and sensory_space "
             f"(FunctionEnvironment makes one of a function), got {type(environment).__name__}"
         )
-    explorer = Explorer(strategy, environment.motor_space, environment.sensory_space, rng=rng)
-    whole("n", n, low=1)
     one_of("engine", engine, ENGINES)
     truth("keep_commands", keep_commands)
+    explorer = Explorer.for_run(
+        strategy,
+        environment.motor_space,
+        environment.sensory_space,
+        rng=rng,
+        engine=engine,
+        keep_commands=keep_commands,
+    )
+    whole("n", n, low=1)
     return explorer
+
+
+@contextmanager
+def _holding(explorer: Explorer) -> Iterator[None]:
+    """Let what is raised carry the explorer, which holds all that was observed."""
+    try:
+        yield
+    except BaseException as error:
+        error.explorer = explorer  # type: ignore[attr-defined]
+        raise

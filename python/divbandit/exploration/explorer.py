@@ -2,34 +2,30 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
 
-import numpy as np
-
-from divbandit._checks import generator, truth, whole
+from divbandit._checks import generator, one_of, truth, whole
 from divbandit._core import as_point
 from divbandit.exploration import saved
+from divbandit.exploration.drivers import ENGINES, RustDriver, driver_of
 from divbandit.exploration.journal import Event, Journal
 from divbandit.exploration.result import Exploration
-from divbandit.exploration.trials import Trials
-from divbandit.history import History
-from divbandit.measures.points import many
-from divbandit.strategies.base import Strategy, Trial
-from divbandit.strategies.composite import proposals_of
+from divbandit.history import Failure, History
+from divbandit.strategies.base import Strategy
+from divbandit.strategies.trial import Trial
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Callable
 
+    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
     from divbandit._checks import Rng
     from divbandit.box import BoxLike
-
-    #: A trial that is under way, the command that it was given out with, what the strategy
-    #: proposed, and what a bandit believed.
-    Open = tuple[Trial, NDArray[np.float64], Trial, tuple[float, ...] | None]
+    from divbandit.environments import Environment
+    from divbandit.exploration.drivers import Driver, EngineName
 
 _NOT_MINE = "trial must be one that this explorer asked for and was not told of yet"
 
@@ -39,18 +35,22 @@ class Explorer:
 
     Any number of trials may be under way, and they may be told in any order, or have failed. The
     history is in the order of telling, and so are gains: an effect's gain is what it adds to all
-    that was told before it. The effects of one call of `tell` are told one after the other.
+    that was told before it.
 
     Parameters
     ----------
     strategy : Strategy
-        Is copied; the one given is never changed.
+        Is never changed: what runs is started from it.
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
         A box in S from which goals make sense.
     rng : None, int, SeedSequence or Generator
         All randomness comes from it; a Generator is drawn from, not copied.
+    past : Exploration, optional
+        An earlier run, whose commands and effects are added as `add_past` does.
+    engine : {"auto", "python", "rust"}
+        Where strategies run, as in `explore`.
 
     Attributes
     ----------
@@ -83,56 +83,93 @@ class Explorer:
         sensory_space: BoxLike | None = None,
         *,
         rng: Rng = None,
+        past: Exploration | None = None,
+        engine: EngineName = "auto",
+    ) -> None:
+        self._prepare(strategy, motor_space, sensory_space, rng, engine)
+        if past is not None:
+            if not isinstance(past, Exploration):
+                raise TypeError(f"past must be an Exploration, got {type(past).__name__}")
+            self.add_past(past.commands, past.effects)
+
+    @classmethod
+    def for_run(
+        cls,
+        strategy: Strategy,
+        motor_space: BoxLike,
+        sensory_space: BoxLike | None,
+        *,
+        rng: Rng,
+        engine: EngineName,
+        keep_commands: bool,
+    ) -> Explorer:
+        """Return an explorer that may forget commands which no strategy looks at."""
+        explorer = cls.__new__(cls)
+        explorer._prepare(
+            strategy, motor_space, sensory_space, rng, engine, keep_commands=keep_commands
+        )
+        return explorer
+
+    def _prepare(
+        self,
+        strategy: Strategy,
+        motor_space: BoxLike,
+        sensory_space: BoxLike | None,
+        rng: Rng,
+        engine: str,
+        *,
+        keep_commands: bool = True,
     ) -> None:
         if not isinstance(strategy, Strategy):
             raise TypeError(f"strategy must be a Strategy, got {type(strategy).__name__}")
-        self.history = History(motor_space, sensory_space)
-        space, goals = self.history.motor_space, self.history.sensory_space
-        strategy.check(space, self.history.effect_dim, has_goals=goals is not None)
-        self._strategy = copy.deepcopy(strategy)
+        one_of("engine", engine, ENGINES)
+        history = History(motor_space, sensory_space)
+        strategy.check(
+            history.motor_space, history.effect_dim, has_goals=history.sensory_space is not None
+        )
         self.rng = generator(rng)
+        self.history = history
+        self._given = strategy
+        self._driver = _started(strategy, history, engine, keep_commands=keep_commands)
+        history._is_explorers = True  # noqa: SLF001 - nothing else writes to it
         self._journal = Journal(self.rng)
-        # What the strategy was when it was first asked.
-        self._began_as: str | None = None
-        self._bounds = space.bounds
         self._asked = 0
-        self._open: dict[int, Open] = {}
-        # How many effects the history had when this explorer last looked.
-        self._known = 0
-        # What the bandit believed, by the step's place in the history.
-        self._beliefs: dict[int, tuple[float, ...]] = {}
-        self._dim_is_checked = self.history.effect_dim is not None
+        #: The trials under way and the commands they were given out with, by number.
+        self._open: dict[int, tuple[Trial, NDArray[np.float64]]] = {}
+        self._dim_is_checked = history.effect_dim is not None
 
     @property
     def strategy(self) -> Strategy:
-        """The explorer's own copy of the strategy, with all that it has learned."""
-        return self._strategy
+        """The strategy; of one that a user defined, the explorer's own copy as it has learned."""
+        return self._driver.strategy
+
+    @property
+    def estimates(self) -> tuple[float, ...] | None:
+        """What a bandit believes of each of its strategies; None for any other strategy."""
+        return self._driver.estimates
 
     @property
     def open_trials(self) -> tuple[Trial, ...]:
         """The trials that are under way, in the order in which they were given out."""
-        return tuple(trial for trial, *_ in self._open.values())
+        return tuple(trial for trial, _ in self._open.values())
 
     @overload
     def ask(self) -> Trial: ...
     @overload
-    def ask(self, n: int) -> Trials: ...
-    def ask(self, n: int | None = None) -> Trial | Trials:
+    def ask(self, n: int) -> list[Trial]: ...
+    def ask(self, n: int | None = None) -> Trial | list[Trial]:
         """Return a trial, or many: evaluate its command, then tell its effect.
 
         Parameters
         ----------
         n : int, optional
-            How many trials to return, at least 1. A composite strategy then chooses `n` times
-            before the first of its parts proposes anything, and each proposes its share.
+            How many trials to return, at least 1: those of as many calls.
 
         Returns
         -------
-        Trial
+        Trial, or list of Trial
             With a read-only ``command`` of shape (m,), the ``goal`` if the strategy has one,
             and the ``path`` of who proposed it.
-        Trials
-            A sequence of `n` of them, if `n` is given, with all their ``commands``, (n, m).
 
         Raises
         ------
@@ -146,69 +183,24 @@ class Explorer:
         >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0, 0], [1, 1]), rng=0)
         >>> explorer.ask().command
         array([0.63696169, 0.26978671])
-        >>> explorer.ask(3).commands.shape
-        (3, 2)
+        >>> len(explorer.ask(3))
+        3
         """
-        if self._began_as is None:
-            self._began_as = repr(self._strategy)
         if n is not None:
-            return self._ask_many(whole("n", n, low=1))
-        if len(self.history) != self._known:
-            self._note_what_others_wrote()
+            return [self.ask() for _ in range(whole("n", n, low=1))]
         try:
-            proposed = Trial.of(self._strategy.propose(self.history, self.rng))
-            command = self._checked(proposed)
-            (trial,) = self._give_out([proposed], [command], self._strategy.diversities)
+            trial = self._driver.ask(self._asked, self.rng)
         except BaseException as error:
             self._journal.note(Event.ASK, 0, raised=error)
             raise
         self._journal.note(Event.ASK, 0)
+        return self._give_out(trial)
+
+    def _give_out(self, trial: Trial) -> Trial:
+        """Note that a trial is under way."""
+        self._open[self._asked] = (trial, trial.command)  # type: ignore[assignment] # an array
+        self._asked += 1
         return trial
-
-    def _ask_many(self, n: int) -> Trials:
-        if len(self.history) != self._known:
-            self._note_what_others_wrote()
-        try:
-            proposed = proposals_of(self._strategy, self.history, n, self.rng)
-            beliefs = self._strategy.diversities
-            commands = self._bounds.gather([trial.command for trial in proposed])
-            if commands is None:  # one by one: lists, other types, and what is wrong with one
-                commands = np.array([self._checked(trial) for trial in proposed])
-                commands.flags.writeable = False
-            trials = self._give_out(proposed, list(commands), beliefs)
-        except BaseException as error:
-            self._journal.note(Event.ASK_MANY, n, raised=error)
-            raise
-        self._journal.note(Event.ASK_MANY, n)
-        return Trials(trials, commands)
-
-    def _checked(self, proposed: Trial) -> NDArray[np.float64]:
-        """Return a copy of the command, so that nobody who changes an array changes the log."""
-        try:
-            return self._bounds.command(proposed.command)
-        except (TypeError, ValueError) as error:
-            who = f"proposed by {self._strategy!r}, path {proposed.path}"
-            raise type(error)(f"{error} ({who})") from None
-
-    def _give_out(
-        self,
-        proposals: list[Trial],
-        commands: list[NDArray[np.float64]],
-        beliefs: tuple[float, ...] | None,
-    ) -> list[Trial]:
-        """Return trials of the explorer's own, which are under way from now on."""
-        number, under_way, new = self._asked, self._open, object.__new__
-        trials = []
-        for proposed, command in zip(proposals, commands, strict=True):
-            trial = new(Trial)  # quicker than by its constructor
-            trial.command, trial.goal, trial.path = command, proposed.goal, proposed.path
-            trial.inner, trial.number = proposed, number
-            trial.place, trial.probability = None, proposed.probability
-            under_way[number] = (trial, command, proposed, beliefs)
-            number += 1
-            trials.append(trial)
-        self._asked = number
-        return trials
 
     @overload
     def tell(self, trial: Trial, effect: ArrayLike) -> None: ...
@@ -230,7 +222,7 @@ class Explorer:
             If a trial is another's or was told before, or an effect is not finite or of the
             wrong length; nothing is recorded then, and the trials can still be told.
         Exception
-            What a strategy of one's own raises when it observes; that effect, and those before
+            What a user-defined strategy raises when it observes; that effect, and those before
             it, are then recorded.
 
         Examples
@@ -245,99 +237,64 @@ class Explorer:
         ValueError: trial must be one that this explorer asked for and was not told of yet
         """
         if not isinstance(trial, Trial):
-            self._tell_many(trial, effect)
+            self._tell_each(trial, effect)
             return
-        number, (_, command, proposed, beliefs) = self._find(trial)
-        history = self.history
-        point = as_point("effect", effect, history.effect_dim)
+        self._find(trial)
+        self._record(trial, as_point("effect", effect, self.history.effect_dim))
+
+    def _record(self, trial: Trial, effect: NDArray[np.float64]) -> None:
+        """Record an effect that is right for a trial that is under way."""
         if not self._dim_is_checked:
-            self._check_dim(len(point))
-        place = len(history)
-        if place != self._known:
-            self._note_what_others_wrote()
-        if beliefs is not None:
-            self._beliefs[place] = beliefs
-        history.record(command, point, proposed.path)
-        del self._open[number]
-        self._known = place + 1
-        trial.place = proposed.place = place
+            self._check_dim(len(effect))
+        number: int = trial.number  # type: ignore[assignment] # given out
+        _, command = self._open.pop(number)
         try:
-            self._strategy.observe(proposed, point)
+            self._driver.tell(trial, command, effect)
         except BaseException as error:
             self._journal.note(Event.TELL, number, raised=error)
             raise
         self._journal.note(Event.TELL, number)
 
-    def _find(self, trial: object) -> tuple[int, Open]:
-        """Return the number of a trial that is under way, and what is known of it."""
+    def _find(self, trial: object) -> int:
+        """Return the number of a trial that is under way, or say that it is not."""
         if not isinstance(trial, Trial):
-            raise TypeError(f"trial must hold Trials only, got {type(trial).__name__}")
+            raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
         number = trial.number
-        known = None if number is None else self._open.get(number)
-        if number is None or known is None or known[0] is not trial:
+        if number is None or number not in self._open or self._open[number][0] is not trial:
             raise ValueError(_NOT_MINE)
-        return number, known
+        return number
 
     def _check_dim(self, dim: int) -> None:
         """Let the strategy see the dimension, which the first effect tells."""
-        self._strategy.check(self.history.motor_space, dim, has_goals=False)
+        self._given.check(self.history.motor_space, dim, has_goals=False)
         self._dim_is_checked = True
 
-    def _tell_many(self, trials: Sequence[object], effects: ArrayLike) -> None:
+    def _tell_each(self, trials: Sequence[Trial], effects: ArrayLike) -> None:
+        """Check many trials and effects, then tell one after the other."""
         if not isinstance(trials, Sequence):
             kind = type(trials).__name__
             raise TypeError(f"trial must be a Trial, or a sequence of them, got {kind}")
-        found: dict[int, Open] = {}
-        under_way = self._open
-        for each in trials:  # as `_find`; a hundred calls of that take as long as all else here
-            number = each.number if isinstance(each, Trial) else None
-            opened = None if number is None else under_way.get(number)
-            if number is None or opened is None or opened[0] is not each:
-                number, opened = self._find(each)  # says what is wrong
-            found[number] = opened
-        if len(found) < len(trials):
+        if len({self._find(trial) for trial in trials}) < len(trials):
             raise ValueError("trial must hold each trial once")
-        points = many("effect", effects, self.history.effect_dim).copy()
-        points.flags.writeable = False
-        if len(points) != len(found):
-            raise ValueError(f"effect must have shape ({len(found)}, s), got {points.shape}")
-        if not found:
-            return
-        if not self._dim_is_checked:
-            self._check_dim(points.shape[1])
-        if not self._strategy.learns_at_once:
-            for known, point in zip(found.values(), points, strict=True):
-                self.tell(known[0], point)
-            return
-        self._tell_at_once(found, points)
-
-    def _tell_at_once(self, found: dict[int, Open], points: NDArray[np.float64]) -> None:
-        place = len(self.history)
-        if place != self._known:
-            self._note_what_others_wrote()
-        trials, commands, proposals, beliefs = zip(*found.values(), strict=True)
-        under_way, known = self._open, self._beliefs
-        rows = zip(found, trials, proposals, beliefs, strict=True)
-        for row, (number, trial, proposed, believed) in enumerate(rows, place):
-            trial.place = proposed.place = row
-            if believed is not None:
-                known[row] = believed
-            del under_way[number]
-        block = _block_of(list(found), commands)
-        self.history.record_many(block, points, [each.path for each in proposals])
-        self._known = place + len(found)
         try:
-            self._strategy.observe_many(proposals, points)
-        except BaseException as error:
-            self._journal.note_many(Event.TELL_MANY, found, raised=error)
-            raise
-        self._journal.note_many(Event.TELL_MANY, found)
+            rows = list(effects)  # type: ignore[arg-type]
+        except TypeError:
+            raise TypeError(f"effect must be a list of effects, got {effects!r}") from None
+        if len(rows) != len(trials):
+            raise ValueError(f"effect must have shape ({len(trials)}, s), got {len(rows)} rows")
+        dim = self.history.effect_dim
+        points = []
+        for index, row in enumerate(rows):
+            points.append(as_point(f"effect[{index}]", row, dim))
+            dim = len(points[-1])
+        for trial, point in zip(trials, points, strict=True):
+            self._record(trial, point)
 
     def fail(self, trial: Trial, reason: str) -> None:
         """Record that the evaluation of a trial came to nothing: the robot fell over.
 
         The budget is spent, and there is no effect: neither the history's effects nor any measure
-        change. ``history.failures`` tells of it. A bandit takes it for a trial without any gain.
+        change. ``history.failures`` tells of it. A bandit takes it for a trial without any reward.
 
         Parameters
         ----------
@@ -349,10 +306,10 @@ class Explorer:
         Raises
         ------
         TypeError, ValueError
-            If the trial is another's or was told before, or the reason is no text; nothing is
+            If the trial is another's or was told before, or the reason is not a string; nothing is
             recorded then.
         Exception
-            What a strategy of one's own raises when it learns of it; that is then recorded.
+            What a user-defined strategy raises when it learns of it; that is then recorded.
 
         Examples
         --------
@@ -362,27 +319,71 @@ class Explorer:
         >>> len(explorer.history), len(explorer.history.failures)
         (0, 1)
         """
-        if not isinstance(trial, Trial):
-            raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
         if not isinstance(reason, str):
-            raise TypeError(f"reason must be a text, got {type(reason).__name__}")
-        number, (_, command, proposed, _) = self._find(trial)
-        if len(self.history) != self._known:
-            self._note_what_others_wrote()
-        self.history.record_failure(command, reason, proposed.path)
+            raise TypeError(f"reason must be a string, got {type(reason).__name__}")
+        number = self._find(trial)
+        _, command = self._open.pop(number)
+        failure = Failure(command, reason, trial.path, len(self.history))
+        self.history._failures.append(failure)  # noqa: SLF001 - its log
         self._journal.failed.append(number)
-        del self._open[number]
         try:
-            self._strategy.fail(proposed, reason)
+            self._driver.fail(trial, reason)
         except BaseException as error:
             self._journal.note(Event.FAIL, number, raised=error)
             raise
         self._journal.note(Event.FAIL, number)
 
-    def _note_what_others_wrote(self) -> None:
-        """Note effects that came into the history past this explorer."""
-        self._journal.note(Event.WRITTEN, len(self.history) - self._known)
-        self._known = len(self.history)
+    def add_past(self, commands: ArrayLike, effects: ArrayLike) -> None:
+        """Record evaluations that were made elsewhere: strategies see them, no one is rewarded.
+
+        Parameters
+        ----------
+        commands : array_like, shape (n, m)
+        effects : array_like, shape (n, s)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a command is no point of the motor space, or an effect is not finite or of another
+            dimension than those before; nothing is recorded then.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> explorer = db.Explorer(db.GoalBabbling(), db.Box([0], [1]), db.Box([0], [9]), rng=0)
+        >>> explorer.add_past([[0.5], [0.25]], [[7.0], [8.0]])
+        >>> len(explorer.history)
+        2
+        """
+        log = self.history._log  # noqa: SLF001 - the explorer writes it
+        points, dim = log.checked(commands, effects)
+        if not self._dim_is_checked and dim is not None:
+            self._check_dim(dim)
+        log.extend(points)
+        self._journal.note(Event.PAST, len(points[0]))
+
+    def _run(
+        self, environment: Environment, n: int, between: Callable[[], object] | None = None
+    ) -> None:
+        """Explore an environment for `n` evaluations; what was observed stays, whatever ends it."""
+        if not isinstance(self._driver, RustDriver):
+            for _ in range(n):
+                trial = self.ask()
+                self.tell(trial, environment(trial.command))
+                if between is not None:
+                    between()
+            return
+        known = len(self.history)
+        try:
+            self._driver.run(environment, n, self.rng, between)
+        finally:
+            made = len(self.history) - known
+            refused = ValueError() if self._driver.refused else None
+            self._journal.note(Event.RUN, made, raised=refused)
+            self._asked += made
+            if self._driver.asked > self._asked:  # a trial whose evaluation did not end
+                self._journal.note(Event.ASK, 0)
+                self._give_out(self._driver.under_way(self._asked))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all that is needed to go on to a file, replacing it whole or not at all.
@@ -398,8 +399,7 @@ class Explorer:
         Raises
         ------
         ValueError
-            If the generator is none of NumPy's own, whose state can be written; or an argument of
-            a built-in part was changed by hand since the first trial.
+            If the generator is not one of NumPy's own, whose state can be written.
         OSError
             If the file cannot be written.
 
@@ -417,40 +417,35 @@ class Explorer:
         >>> again.ask().command == explorer.ask().command
         array([ True])
         """
-        if len(self.history) != self._known:
-            self._note_what_others_wrote()
-        commands = {number: command for number, (_, command, _, _) in self._open.items()}
-        saved.write(
-            path, self._strategy, self._began_as, self.history, self._journal, commands, self.rng
-        )
+        commands = {number: command for number, (_, command) in self._open.items()}
+        saved.write(path, self._given, self.history, self._journal, commands, self.rng)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], strategy: Strategy | None = None) -> Explorer:
         """Read an explorer that was saved, to go on with it bit by bit as it would have.
 
-        All that was asked and told is done again, with the generator as it was at the beginning;
-        each command must come out as it did. So a strategy of one's own needs nothing but to
-        depend on what it is told and on the generator alone. Nobody else may have drawn from
-        that generator.
+        All that was asked and told is repeated, with the generator as it was at the beginning;
+        each command must come out as it did. So a user-defined strategy must depend on its
+        observations and the generator alone, and the generator must not have been drawn from
+        elsewhere.
 
         Parameters
         ----------
         path : str or path
         strategy : Strategy, optional
-            One like that which the explorer was made with. It must be given where that has parts
-            of one's own, or had been used before; those built in are in the file as they are when
-            they are new.
+            One equal to that which the explorer was made with. It must be given where that has
+            user-defined parts; the library's are in the file.
 
         Returns
         -------
         Explorer
-            With a generator of its own, in ``rng``, and those trials in ``open_trials`` that
-            were under way.
+            With its own generator, in ``rng``, and the trials that were under way in
+            ``open_trials``.
 
         Raises
         ------
         TypeError
-            If `strategy` is none.
+            If `strategy` is not a Strategy.
         ValueError
             If the file is truncated, was not written by `save` or by another version of it,
             names no strategy and none is given, or the strategy proposes other commands than
@@ -487,24 +482,20 @@ class Explorer:
         array([[3.]])
         """
         truth("keep_commands", keep_commands)
-        return Exploration.from_history(self.history, self._beliefs, keep_commands=keep_commands)
+        return Exploration.of(self.history, keep_commands=keep_commands)
 
     def __repr__(self) -> str:
-        return f"<Explorer of {self._strategy!r} after {len(self.history)} evaluations>"
+        return f"<Explorer of {self._given!r} after {len(self.history)} evaluations>"
 
 
-def _block_of(numbers: list[int], commands: tuple[NDArray[np.float64], ...]) -> NDArray[np.float64]:
-    """Return commands as the rows of one array.
-
-    Those of a whole batch, told in the order in which they were given out, are one already.
-    """
-    n, m = len(commands), len(commands[0])
-    block = commands[0].base
-    if (
-        block is not None
-        and block is commands[-1].base
-        and block.size == n * m
-        and numbers == list(range(numbers[0], numbers[0] + n))
-    ):
-        return block.reshape(n, m)
-    return np.array(commands)
+def _started(
+    strategy: Strategy, history: History, engine: str, *, keep_commands: bool
+) -> Driver:
+    """Return the driver of a strategy; the history then logs as many estimates as it has."""
+    driver = driver_of(strategy, history, engine)
+    estimates = driver.estimates
+    kept = keep_commands or not isinstance(driver, RustDriver) or driver.needs_commands
+    if estimates is None and kept:
+        return driver
+    history.keep(commands=kept, width=len(estimates or ()))
+    return driver_of(strategy, history, engine)

@@ -1,4 +1,4 @@
-"""Journal: what an explorer was asked and told, in order, so that it can be done again."""
+"""Journal: what an explorer was asked and told, in order, so that it can be replayed."""
 
 from __future__ import annotations
 
@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    import numpy as np
     from numpy.random import Generator
-    from numpy.typing import NDArray
 
 
 class Event:
@@ -21,11 +19,10 @@ class Event:
     """
 
     ASK = 0
-    ASK_MANY = 1  # how many trials
+    RUN = 1  # how many trials, each asked for and told before the next
     TELL = 2  # the number of the trial
-    TELL_MANY = 3  # how many trials, each of them noted behind it
-    FAIL = 4  # the number of the trial
-    WRITTEN = 5  # how many effects came into the history past the explorer
+    FAIL = 3  # the number of the trial
+    PAST = 4  # how many earlier evaluations were added
 
 
 #: Added to an event: the strategy raised an exception; was interrupted, as by Ctrl-C.
@@ -40,7 +37,7 @@ class Journal:
     Attributes
     ----------
     generator_state : dict or None
-        That of its generator at the beginning; None where it tells none.
+        That of its generator at the beginning; None where it is not known.
     events : array of int
         As `note` left them.
     failed : list of int
@@ -60,7 +57,7 @@ class Journal:
 
     def __init__(self, rng: Generator) -> None:
         self.generator_state: dict[str, Any] | None = None
-        with suppress(NotImplementedError):  # a bit generator of one's own need not tell it
+        with suppress(NotImplementedError):  # a user's bit generator need not tell it
             self.generator_state = dict(rng.bit_generator.state)
         self.events = array("q")
         self.failed: list[int] = []
@@ -72,7 +69,7 @@ class Journal:
         --------
         >>> import numpy as np
         >>> journal = Journal(np.random.default_rng(0))
-        >>> journal.note(Event.ASK_MANY, 3)
+        >>> journal.note(Event.RUN, 3)
         >>> len(journal.events)
         1
         """
@@ -80,23 +77,6 @@ class Journal:
         if raised is not None:
             flag = _RAISED if isinstance(raised, Exception) else _INTERRUPTED
         self.events.append(number << _SHIFT | event | flag)
-
-    def note_many(
-        self, event: int, numbers: Iterable[int], *, raised: BaseException | None = None
-    ) -> None:
-        """Note that something happened to several trials at once.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> journal = Journal(np.random.default_rng(0))
-        >>> journal.note_many(Event.TELL_MANY, [7, 5])
-        >>> list(events_of(journal.events))
-        [(3, 2, ''), (2, 7, ''), (2, 5, '')]
-        """
-        told = [number << _SHIFT | Event.TELL for number in numbers]
-        self.note(event, len(told), raised=raised)
-        self.events.extend(told)
 
 
 def events_of(events: Iterable[int]) -> Iterator[tuple[int, int, str]]:
@@ -110,15 +90,3 @@ def events_of(events: Iterable[int]) -> Iterator[tuple[int, int, str]]:
     for code in events:
         how = "raised" if code & _RAISED else "interrupted" if code & _INTERRUPTED else ""
         yield code & (_RAISED - 1), code >> _SHIFT, how
-
-
-def kinds_and_numbers(events: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return all events at once, and their numbers.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> kinds_and_numbers(np.array([3 << 5 | 1]))
-    (array([1]), array([3]))
-    """
-    return events & (_RAISED - 1), events >> _SHIFT

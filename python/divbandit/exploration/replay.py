@@ -1,4 +1,4 @@
-"""replay: all that happened to an explorer, done again with a fresh one."""
+"""replay: all that happened to an explorer, repeated with a fresh one."""
 
 from __future__ import annotations
 
@@ -9,8 +9,6 @@ import numpy as np
 from divbandit.exploration.journal import Event
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from numpy.typing import NDArray
 
     from divbandit.exploration.explorer import Explorer
@@ -18,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class OtherwiseError(Exception):
-    """What is done again comes out otherwise; the text says what."""
+    """What is repeated comes out otherwise; the text says what."""
 
 
 class Past(NamedTuple):
@@ -32,10 +30,8 @@ class Past(NamedTuple):
         Those of the trials that were given out, by number.
     effects : numpy.ndarray, shape (n, s)
         In the order of the history.
-    written : numpy.ndarray, shape (k, m)
-        The commands of those effects that came into the history past the explorer.
-    paths : list of tuple of int
-        Who chose these.
+    added : numpy.ndarray, shape (k, m)
+        The commands of the earlier evaluations that were added.
     reasons : list of str
         Why trials failed.
     """
@@ -43,41 +39,29 @@ class Past(NamedTuple):
     events: list[tuple[int, int, str]]
     commands: NDArray[np.float64]
     effects: NDArray[np.float64]
-    written: NDArray[np.float64]
-    paths: list[tuple[int, ...]]
+    added: NDArray[np.float64]
     reasons: list[str]
 
     def check(self) -> None:
         """Raise a ValueError unless it can have happened, and all that is here belongs to it."""
-        asked = known = failed = written = 0
+        asked = known = failed = added = 0
         under_way: set[int] = set()
-        for event, number, how in self._singly():
-            if event in {Event.ASK, Event.ASK_MANY}:
-                count = 0 if how else number if event == Event.ASK_MANY else 1
-                under_way.update(range(asked, min(asked + count, len(self.commands))))
-                asked += count
-            elif event == Event.WRITTEN:
-                known, written = known + number, written + number
+        for event, number, how in self.events:
+            if number < 0 or event > Event.PAST:
+                raise ValueError(f"events must be known ones, got {event} of {number}")
+            if event == Event.ASK and not how:
+                under_way.add(asked)
+                asked += 1
+            elif event == Event.RUN:
+                asked, known = asked + number, known + number
+            elif event == Event.PAST:
+                known, added = known + number, added + number
             elif event in {Event.TELL, Event.FAIL}:
                 under_way.remove(number)
                 known, failed = known + (event == Event.TELL), failed + (event == Event.FAIL)
-        found = len(self.commands), len(self.effects), len(self.reasons)
-        others = len(self.written), len(self.paths)
-        if found != (asked, known, failed) or others != (written, written):
+        found = len(self.commands), len(self.effects), len(self.added), len(self.reasons)
+        if found != (asked, known, added, failed):
             raise ValueError("events must be as many as there are commands, effects and reasons")
-
-    def _singly(self) -> Iterator[tuple[int, int, str]]:
-        """Return the events, and check that trials told at once follow one another."""
-        missing = 0
-        for event, number, how in self.events:
-            if number < 0 or event > Event.WRITTEN:
-                raise ValueError(f"events must be known ones, got {event} of {number}")
-            if missing and event != Event.TELL:
-                raise ValueError("events must have trials that were told at once together")
-            missing = number if event == Event.TELL_MANY else max(0, missing - 1)
-            yield event, number, how
-        if missing:
-            raise ValueError("events must have all trials that were told at once")
 
 
 def replay(explorer: Explorer, past: Past) -> None:
@@ -95,7 +79,7 @@ def replay(explorer: Explorer, past: Past) -> None:
     >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0], [1]), rng=0)
     >>> empty = np.empty((0, 1))
     >>> events = [(Event.ASK, 0, "")]
-    >>> replay(explorer, Past(events, np.array([[0.5]]), empty, empty, [], []))
+    >>> replay(explorer, Past(events, np.array([[0.5]]), empty, empty, []))
     Traceback (most recent call last):
         ...
     divbandit.exploration.replay.OtherwiseError: it proposes another command for trial 0
@@ -104,27 +88,24 @@ def replay(explorer: Explorer, past: Past) -> None:
 
 
 class _Replay:
-    """What is left of the past, while it is done again."""
+    """What is left of the past, while it is repeated."""
 
     def __init__(self, explorer: Explorer, past: Past) -> None:
         self._explorer, self._past = explorer, past
-        self._events = iter(past.events)
-        self._effects, self._reasons = iter(past.effects), iter(past.reasons)
-        self._written = iter(zip(past.written, past.paths, strict=True))
-        self._asked = 0
+        self._reasons = iter(past.reasons)
+        self._asked = self._known = self._added = 0
         self._open: dict[int, Trial] = {}
 
     def run(self) -> None:
         deeds = {
             Event.ASK: self._ask,
-            Event.ASK_MANY: self._ask_many,
+            Event.RUN: self._run,
             Event.TELL: self._tell,
-            Event.TELL_MANY: self._tell_many,
             Event.FAIL: self._fail,
-            Event.WRITTEN: self._write,
+            Event.PAST: self._add,
         }
-        for event, number, how in self._events:
-            if how == "interrupted" and event in {Event.ASK, Event.ASK_MANY}:
+        for event, number, how in self._past.events:
+            if how == "interrupted" and event == Event.ASK:
                 continue  # nothing was given out; if anything was drawn, the next command tells
             caught: Exception | None = None
             try:
@@ -138,32 +119,29 @@ class _Replay:
                 raise OtherwiseError(f"it {what}, after {self._asked} trials") from caught
 
     def _ask(self, _: int) -> None:
-        self._compare([self._explorer.ask()])
+        trial = self._explorer.ask()
+        command = np.asarray(trial.command)
+        if command.tobytes() != self._past.commands[self._asked].tobytes():
+            raise OtherwiseError(f"it proposes another command for trial {self._asked}")
+        self._open[self._asked] = trial
+        self._asked += 1
 
-    def _ask_many(self, count: int) -> None:
-        self._compare(list(self._explorer.ask(count)))
-
-    def _compare(self, given: list[Trial]) -> None:
-        for trial in given:
-            command = np.asarray(trial.command)
-            if command.tobytes() != self._past.commands[self._asked].tobytes():
-                raise OtherwiseError(f"it proposes another command for trial {self._asked}")
-            self._open[self._asked] = trial
-            self._asked += 1
+    def _run(self, count: int) -> None:
+        for _ in range(count):
+            self._ask(0)
+            self._tell(self._asked - 1)
 
     def _tell(self, number: int) -> None:
-        self._explorer.tell(self._open.pop(number), next(self._effects))
-
-    def _tell_many(self, count: int) -> None:
         # All is taken before the strategy learns of it: it may raise again what it raised.
-        trials = [self._open.pop(next(self._events)[1]) for _ in range(count)]
-        effects = np.array([next(self._effects) for _ in range(count)])
-        self._explorer.tell(trials, effects)
+        trial, effect = self._open.pop(number), self._past.effects[self._known]
+        self._known += 1
+        self._explorer.tell(trial, effect)
 
     def _fail(self, number: int) -> None:
         self._explorer.fail(self._open.pop(number), next(self._reasons))
 
-    def _write(self, count: int) -> None:
-        for _ in range(count):
-            command, path = next(self._written)
-            self._explorer.history.append(command, next(self._effects), path=path)
+    def _add(self, count: int) -> None:
+        commands = self._past.added[self._added : self._added + count]
+        effects = self._past.effects[self._known : self._known + count]
+        self._added, self._known = self._added + count, self._known + count
+        self._explorer.add_past(commands, effects)

@@ -11,19 +11,17 @@ from divbandit import _files
 from divbandit._checks import whole
 from divbandit.box import Box
 from divbandit.history import Failure
-from divbandit.measures.template import copy_of, covering
+from divbandit.measures import BallCoverage, checked, started
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Mapping, Sequence
-
     from numpy.typing import NDArray
 
     from divbandit.history import History
     from divbandit.measures import Measure
 
 _FORMAT = "divbandit exploration"
-_VERSION = 1
+_VERSION = 2
 
 #: In place of commands: the attribute is then missing.
 NOT_KEPT = cast("NDArray[np.float64]", None)
@@ -31,7 +29,7 @@ NOT_KEPT = cast("NDArray[np.float64]", None)
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Exploration:
-    """The trace of an exploration: commands, effects, who chose, what the bandit believed.
+    """The trace of an exploration: commands, effects, who proposed, what the bandit believed.
 
     Attributes
     ----------
@@ -41,10 +39,10 @@ class Exploration:
         Missing if they were not kept.
     effects : numpy.ndarray of float64, shape (n, s)
     paths : numpy.ndarray of int64, shape (n, depth)
-        Who chose each command: indices of strategies, outermost first, -1 beyond the innermost.
-    diversities : numpy.ndarray of float64, shape (n, q), or None
-        What the bandit believed of each of its q strategies when it chose (NaN where the history
-        was written to by hand); None where the strategy is no bandit.
+        Who proposed each command: indices of strategies, outermost first, -1 beyond the innermost.
+    estimates : numpy.ndarray of float64, shape (n, q), or None
+        What the bandit believed of each of its q strategies when it chose (NaN for earlier
+        evaluations that were added); None where the strategy is not a bandit.
     failures : tuple of Failure
         The evaluations that came to nothing; they are not among the n.
 
@@ -52,7 +50,7 @@ class Exploration:
     --------
     >>> import divbandit as db
     >>> run = db.explore(db.PlanarArm(20), db.MotorBabbling(), n=100, rng=0)
-    >>> len(run), run.commands.shape, run.diversities
+    >>> len(run), run.commands.shape, run.estimates
     (100, (100, 20), None)
     """
 
@@ -61,7 +59,7 @@ class Exploration:
     commands: NDArray[np.float64]
     effects: NDArray[np.float64]
     paths: NDArray[np.int64]
-    diversities: NDArray[np.float64] | None
+    estimates: NDArray[np.float64] | None
     failures: tuple[Failure, ...] = ()
 
     def __post_init__(self) -> None:
@@ -78,47 +76,26 @@ class Exploration:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     @classmethod
-    def from_history(
-        cls,
-        history: History,
-        beliefs: Mapping[int, Sequence[float]],
-        *,
-        keep_commands: bool = True,
-    ) -> Exploration:
-        """Take a copy of a history and of what the bandit believed at each of its steps.
-
-        Parameters
-        ----------
-        history : History
-        beliefs : mapping of int to sequence of float
-            The diversities before each step, by its index; NaN where it is missing.
-        keep_commands : bool
-            False leaves the motor commands out.
+    def of(cls, history: History, *, keep_commands: bool = True, take: bool = False) -> Exploration:
+        """Return the exploration that a history is of: a copy, or with `take` its very memory.
 
         Examples
         --------
         >>> import divbandit as db
         >>> history = db.History(db.Box([0], [1]))
         >>> history.append([0.5], [7.0], path=(1, 0))
-        >>> db.Exploration.from_history(history, {0: (0.5, 0.25)}).paths
+        >>> db.Exploration.of(history).paths
         array([[1, 0]])
         """
-        depth = max((len(path) for path in history.paths), default=0)
-        paths = np.full((len(history), depth), -1, dtype=np.int64)
-        for row, path in zip(paths, history.paths, strict=True):
-            row[: len(path)] = path
-        diversities = None
-        if beliefs:
-            width = len(next(iter(beliefs.values())))
-            diversities = np.full((len(history), width), np.nan)
-            diversities[list(beliefs)] = list(beliefs.values())
+        log = history._log  # noqa: SLF001 - it is what is read here
+        commands, effects, paths, estimates = (log.take if take else log.arrays)(keep_commands)
         return cls(
             history.motor_space,
             history.sensory_space,
-            history.commands.copy() if keep_commands else NOT_KEPT,
-            history.effects.copy(),
+            NOT_KEPT if commands is None else commands,
+            effects,
             paths,
-            diversities,
+            estimates,
             history.failures,
         )
 
@@ -142,7 +119,7 @@ class Exploration:
         Parameters
         ----------
         measure : Measure
-            An empty one for effects of this dimension; a copy of it is filled.
+            For instance ``divbandit.measures.GridCoverage(0.05)``.
 
         Returns
         -------
@@ -152,29 +129,24 @@ class Exploration:
         Raises
         ------
         TypeError, ValueError
-            If `measure` is none, is not empty, or is for effects of another dimension.
+            If `measure` is not a measure, or does not take effects of this dimension.
 
         Examples
         --------
         >>> import divbandit as db
         >>> run = db.explore(db.PlanarArm(20), db.MotorBabbling(), n=100, rng=0)
-        >>> run.diversity(db.GridCoverage(0.5))[[0, -1]]
+        >>> run.diversity(db.measures.GridCoverage(0.5))[[0, -1]]
         array([1., 6.])
         """
-        measured = copy_of("measure", measure)
+        checked("measure", measure)
         if len(self) == 0:  # perhaps of no dimension yet
             return np.empty(0)
-        if measured.dim != self.effects.shape[1]:
-            raise ValueError(
-                "measure must have the dimension of the effects, "
-                f"{self.effects.shape[1]}, got {measured.dim}"
-            )
-        return np.cumsum(measured.extend(self.effects))
+        return np.cumsum(started(measure, self.effects.shape[1]).extend(self.effects))
 
     def coverage(self, tau: float) -> NDArray[np.float64]:
         """Return the coverage after each step: the measure of the union of balls so far.
 
-        In the plane it is an area, that of discs. Short for ``diversity(Coverage(tau, dim=s))``.
+        In the plane it is an area, that of discs. Short for ``diversity(BallCoverage(tau))``.
 
         Parameters
         ----------
@@ -198,8 +170,7 @@ class Exploration:
         >>> round(float(run.coverage(0.02)[0]), 9)
         0.001256637
         """
-        dim = self.effects.shape[1] if len(self) else 2
-        return self.diversity(covering("coverage", tau, dim))
+        return self.diversity(BallCoverage(tau))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the exploration to a file, replacing it whole or not at all.
@@ -237,8 +208,8 @@ class Exploration:
         if self.sensory_space is not None:
             box = self.sensory_space
             arrays["sensory_space"] = np.array([box.low, box.high])
-        if self.diversities is not None:
-            arrays["diversities"] = self.diversities
+        if self.estimates is not None:
+            arrays["estimates"] = self.estimates
         if self.failures:
             arrays["failed_commands"] = np.array([failure.command for failure in self.failures])
             arrays["failed_why"] = _files.from_json([failure[1:] for failure in self.failures])
@@ -284,16 +255,16 @@ class Exploration:
         else:
             _files.array(arrays, "commands", np.float64, (n, motor_space.dim))
         width = None if sensory_space is None else sensory_space.dim
-        diversities = None
-        if "diversities" in arrays:
-            diversities = _files.array(arrays, "diversities", np.float64, (n, None))
+        estimates = None
+        if "estimates" in arrays:
+            estimates = _files.array(arrays, "estimates", np.float64, (n, None))
         return cls(
             motor_space,
             sensory_space,
             commands,
             _files.array(arrays, "effects", np.float64, (n, width)),
             paths,
-            diversities,
+            estimates,
             _failures(arrays, motor_space.dim),
         )
 

@@ -1,4 +1,4 @@
-"""Files of explorers: what was asked and told, from which all else is made again."""
+"""Files of explorers: what was asked and told, from which all else follows."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from divbandit import _files
 from divbandit._recipe import NoRecipeError, made_from, recipe_of
 from divbandit.box import Box
-from divbandit.exploration.journal import Event, events_of, kinds_and_numbers
+from divbandit.exploration.journal import Event, events_of
 from divbandit.exploration.replay import OtherwiseError, Past, replay
 from divbandit.strategies.base import Strategy
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from divbandit.history import History
 
 _FORMAT = "divbandit explorer"
-_VERSION = 1
+_VERSION = 2
 
 #: The bit generators whose state a file can hold.
 _BIT_GENERATORS = {
@@ -46,7 +46,7 @@ class _Saved(NamedTuple):
 
     motor_space: Box
     sensory_space: Box | None
-    #: As it was at the beginning, or None if it was not made of built-in parts alone.
+    #: None if it was not made of the library's own parts alone.
     strategy: Strategy | None
     #: What it was called.
     name: str
@@ -59,16 +59,12 @@ class _Saved(NamedTuple):
 def write(
     path: str | os.PathLike[str],
     strategy: Strategy,
-    began_as: str | None,
     history: History,
     journal: Journal,
     under_way: Mapping[int, NDArray[np.float64]],
     rng: Generator,
 ) -> None:
-    """Write what happened to an explorer, whose strategy had the repr `began_as`.
-
-    `under_way` are the commands of its open trials.
-    """
+    """Write what happened to an explorer; `under_way` are the commands of its open trials."""
     kind = type(rng.bit_generator)
     if type(rng) is not np.random.Generator or kind not in _BIT_GENERATORS.values():
         raise ValueError(
@@ -77,10 +73,8 @@ def write(
     recipe = None
     with suppress(NoRecipeError):
         recipe = recipe_of(strategy)
-        if began_as not in {None, repr(strategy)}:
-            raise ValueError(f"strategy must be what it was, {began_as}, got {strategy!r}")
     events = np.array(journal.events, dtype=np.int64)
-    told, written, numbers = _rows(events)
+    told, added, numbers = _rows(events)
     commands = np.empty(
         (len(told) + len(history.failures) + len(under_way), history.motor_space.dim)
     )
@@ -94,7 +88,6 @@ def write(
         "name": repr(strategy),
         "generator": kind.__name__,
         "state": {"before": _plain(journal.generator_state), "after": _plain(rng_state(rng))},
-        "paths": [history.paths[row] for row in written],
         "reasons": [failure.reason for failure in history.failures],
     }
     space, goals = history.motor_space, history.sensory_space
@@ -104,7 +97,7 @@ def write(
         "events": events,
         "commands": commands,
         "effects": history.effects,
-        "written": history.commands[written],
+        "added": history.commands[added],
     }
     if goals is not None:
         arrays["sensory_space"] = np.array([goals.low, goals.high])
@@ -118,8 +111,8 @@ def read(path: str | os.PathLike[str], kind: type[Explorer], strategy: Strategy 
     if strategy is None:
         if saved.strategy is None:
             raise ValueError(
-                f"strategy must be given: the explorer's, {saved.name}, is not made of built-in "
-                "parts alone, and so is not in the file"
+                f"strategy must be given: the explorer's, {saved.name}, has user-defined parts, "
+                "and so is not in the file"
             )
         strategy = saved.strategy
     explorer = kind(strategy, saved.motor_space, saved.sensory_space, rng=saved.generator)
@@ -127,9 +120,9 @@ def read(path: str | os.PathLike[str], kind: type[Explorer], strategy: Strategy 
         replay(explorer, saved.past)
     except OtherwiseError as error:
         raise ValueError(
-            f"strategy must be one that does again what the saved one, {saved.name}, did, but "
-            f"{error}: it is another, depends on more than what it is told and its generator, or "
-            "somebody else drew from that generator"
+            f"strategy must be one that repeats what the saved one, {saved.name}, did, but {error}: "
+            "it is another, depends on more than its observations and the generator, or the "
+            "generator was also drawn from elsewhere"
         ) from error.__cause__
     explorer.rng.bit_generator.state = saved.state
     return explorer
@@ -149,12 +142,26 @@ def rng_state(rng: Generator) -> dict[str, Any]:
 def _rows(
     events: NDArray[np.int64],
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """Return which rows of the history were told, which others wrote, and what trials were told."""
-    kinds, numbers = kinds_and_numbers(events)
-    lengths = np.where(kinds == Event.TELL, 1, np.where(kinds == Event.WRITTEN, numbers, 0))
-    origin = np.repeat(kinds, lengths)
-    told, written = (np.flatnonzero(origin == kind) for kind in (Event.TELL, Event.WRITTEN))
-    return told, written, numbers[kinds == Event.TELL]
+    """Return which rows of the history were told, which were added, and what trials were told."""
+    told: list[int] = []
+    added: list[int] = []
+    numbers: list[int] = []
+    asked = known = 0
+    for event, number, how in events_of(events.tolist()):
+        if event == Event.ASK and not how:
+            asked += 1
+        elif event == Event.RUN:
+            told += range(known, known + number)
+            numbers += range(asked, asked + number)
+            asked, known = asked + number, known + number
+        elif event == Event.TELL:
+            told.append(known)
+            numbers.append(number)
+            known += 1
+        elif event == Event.PAST:
+            added += range(known, known + number)
+            known += number
+    return tuple(np.array(rows, dtype=np.int64) for rows in (told, added, numbers))  # type: ignore[return-value]
 
 
 def _plain(value: Any) -> Any:  # noqa: ANN401 - a state may hold anything that JSON can, and arrays
@@ -190,8 +197,7 @@ def _from_arrays(arrays: dict[str, NDArray[Any]]) -> _Saved:
         list(events_of(events.tolist())),
         _files.array(arrays, "commands", np.float64, (None, m)),
         _files.array(arrays, "effects", np.float64, (None, None)),
-        _files.array(arrays, "written", np.float64, (None, m)),
-        [tuple(path) for path in words["paths"]],
+        _files.array(arrays, "added", np.float64, (None, m)),
         [str(reason) for reason in words["reasons"]],
     )
     past.check()

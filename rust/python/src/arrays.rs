@@ -105,6 +105,24 @@ impl<'py> Floats<'py> {
         }
     }
 
+    /// Copies many points of one dimension, `length` or any: shape (n, s), and s.
+    pub fn any_points(
+        name: &str,
+        value: &Bound<'py, PyAny>,
+        length: Option<usize>,
+    ) -> PyResult<(Vec<f64>, usize)> {
+        let floats = Self::read(name, value)?;
+        match floats.0.shape() {
+            &[_, got] if got > 0 && length.is_none_or(|length| length == got) => {
+                Ok((floats.copied()?, got))
+            }
+            shape => {
+                let width = length.map_or("s".to_owned(), |length| length.to_string());
+                Err(wrong_shape(name, &format!("(n, {width})"), shape))
+            }
+        }
+    }
+
     /// Reads one point or many: shape (`length`,) or (n, `length`).
     pub fn either(name: &str, value: &Bound<'py, PyAny>, length: usize) -> PyResult<Self> {
         let floats = Self::read(name, value)?;

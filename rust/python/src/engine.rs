@@ -79,6 +79,12 @@ impl PyEngine {
         self.asked
     }
 
+    /// Whether a strategy looks at the commands of the history.
+    #[getter]
+    fn needs_commands(&self) -> bool {
+        self.exploration.needs_commands()
+    }
+
     /// Whether the newest effect was recorded, but could not be rewarded.
     #[getter]
     fn refused(&self) -> bool {

@@ -1,12 +1,14 @@
 //! Binding of the history: the log of an exploration, shared by the loop in Python and the engine.
 
 use divbandit_core::History;
+use divbandit_core::error::check_finite;
 use divbandit_core::history::Log;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arrays::Floats;
+use crate::arrays::{Floats, read_only_rows};
 use crate::bounds::PyBounds;
 use crate::errors::value_error;
 use crate::kdtree::found;
@@ -71,6 +73,45 @@ impl PyHistory {
         let effect = Floats::point("effect", effect, self.0.effect_dim())?;
         let estimates = estimates.unwrap_or_default();
         self.0.record(command.slice()?, effect.slice()?, &path, &estimates).map_err(value_error)
+    }
+
+    /// Check evaluations made elsewhere: both arrays, and the dimension of the effects.
+    fn checked<'py>(
+        &self,
+        commands: &Bound<'py, PyAny>,
+        effects: &Bound<'py, PyAny>,
+    ) -> PyResult<((Rows<'py, f64>, Rows<'py, f64>), Option<usize>)> {
+        let (py, m) = (commands.py(), self.0.motor_space().dim());
+        let commands = Floats::points("commands", commands, m)?.copied()?;
+        let (effects, s) = Floats::any_points("effects", effects, self.0.effect_dim())?;
+        for (row, command) in commands.chunks_exact(m).enumerate() {
+            self.0.motor_space().check("command", command).map_err(|error| {
+                PyValueError::new_err(format!("row {row} of commands: {error}"))
+            })?;
+        }
+        check_finite("effects", &effects, s).map_err(value_error)?;
+        let n = commands.len() / m;
+        if effects.len() != n * s {
+            let got = effects.len() / s.max(1);
+            return Err(PyValueError::new_err(format!(
+                "effects must be as many as the commands, {n}, got {got}"
+            )));
+        }
+        let both = (read_only_rows(py, commands, m)?, read_only_rows(py, effects, s)?);
+        Ok((both, (n > 0).then_some(s)))
+    }
+
+    /// Record evaluations that were checked.
+    fn extend(&mut self, points: (Rows<'_, f64>, Rows<'_, f64>)) -> PyResult<()> {
+        let (commands, effects) = (points.0.try_readonly(), points.1.try_readonly());
+        let used = |error| PyValueError::new_err(format!("an array is in use elsewhere: {error}"));
+        let (commands, effects) = (commands.map_err(used)?, effects.map_err(used)?);
+        let (m, s) = (commands.dims()[1], effects.dims()[1]);
+        let rows = commands.as_slice()?.chunks_exact(m).zip(effects.as_slice()?.chunks_exact(s));
+        for (command, effect) in rows {
+            self.0.record(command, effect, &[], &[]).map_err(value_error)?;
+        }
+        Ok(())
     }
 
     /// The effects nearest to a goal: as `NearestNeighbors.nearest` finds them.

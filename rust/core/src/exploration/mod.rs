@@ -76,6 +76,7 @@ pub struct Exploration {
     /// For each part, where its rewards come from, if it is a bandit.
     rewarded: Vec<Option<usize>>,
     rewards: Rewards,
+    needs_commands: bool,
     /// Whether the dimension of the effects is known, and all that depends on it started.
     has_begun: bool,
     /// What `run` proposes and observes.
@@ -91,7 +92,8 @@ impl Exploration {
     /// or there is no part `root`.
     pub fn new(strategies: Composition, root: usize, history: &History) -> Result<Self, Error> {
         strategies.check(root)?;
-        if strategies.needs_commands() && !history.keeps_commands() {
+        let needs_commands = strategies.needs_commands();
+        if needs_commands && !history.keeps_commands() {
             return Err(Error::Empty { name: "commands" });
         }
         let parts = strategies.parts;
@@ -110,7 +112,7 @@ impl Exploration {
         }
         let (proposal, effect) = (Proposal::new(history.motor_space().dim()), Vec::new());
         let mut new =
-            Self { parts, root, rewarded, rewards, has_begun: false, proposal, effect };
+            Self { parts, root, rewarded, rewards, needs_commands, has_begun: false, proposal, effect };
         if history.effect_dim().is_some() {
             new.begin(history)?;
         }
@@ -212,6 +214,12 @@ impl Exploration {
             Part::Composite(composite, _) => composite.estimates(),
             Part::Strategy(_) => None,
         }
+    }
+
+    /// Whether one of the strategies looks at the commands of the history.
+    #[must_use]
+    pub fn needs_commands(&self) -> bool {
+        self.needs_commands
     }
 
     /// Explores `environment` for `n` more evaluations.

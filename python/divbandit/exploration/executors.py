@@ -1,4 +1,4 @@
-"""explore_at_once: several evaluations under way, through any executor."""
+"""explore_with: several evaluations under way, through any executor."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from divbandit.strategies.base import Trial
 
 
-def explore_at_once(
+def explore_with(
     environment: Environment,
     explorer: Explorer,
     n: int,
@@ -45,7 +45,7 @@ def explore_at_once(
     >>> arm = db.PlanarArm(20)
     >>> explorer = db.Explorer(db.MotorBabbling(), arm.motor_space, arm.sensory_space, rng=0)
     >>> with ThreadPoolExecutor(2) as executor:
-    ...     explore_at_once(arm, explorer, 10, executor=executor, in_flight=4)
+    ...     explore_with(arm, explorer, 10, executor=executor, in_flight=4)
     >>> len(explorer.history)
     10
     """

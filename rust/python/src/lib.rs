@@ -16,7 +16,6 @@ mod engine;
 mod environments;
 mod errors;
 mod estimators;
-mod exact_sum;
 mod goals;
 mod history;
 mod inverse;
@@ -45,11 +44,12 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<obstructed_arm::PyObstacle>()?;
     module.add_class::<obstructed_arm::PyObstructedArm>()?;
     module.add_class::<push_arm::PyPushArm>()?;
-    module.add_class::<exact_sum::PyExactSum>()?;
     module.add_class::<history::PyHistory>()?;
-    module.add_class::<kdtree::PyNearestNeighbors>()?;
     module.add_class::<rewards::PyReward>()?;
     module.add("NotBuiltInError", module.py().get_type::<composition::NotBuiltInError>())?;
+    module.add_class::<estimators::PyEstimator>()?;
+    module.add_class::<kdtree::PyNearestNeighbors>()?;
+    module.add_class::<policies::PyPolicy>()?;
     module.add_function(wrap_pyfunction!(elementary::exp, module)?)?;
     module.add_function(wrap_pyfunction!(elementary::log, module)?)?;
     module.add_function(wrap_pyfunction!(elementary::normal_quantile, module)?)?;
@@ -63,6 +63,8 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(inverse::k_nearest, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::local_jacobian, module)?)?;
     module.add_function(wrap_pyfunction!(inverse::local_regression, module)?)?;
+    module.add_function(wrap_pyfunction!(policies::powers, module)?)?;
+    module.add_function(wrap_pyfunction!(policies::proportionally, module)?)?;
     module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;
     Ok(())
 }

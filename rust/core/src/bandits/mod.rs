@@ -11,4 +11,40 @@ pub mod policies;
 pub mod rewards;
 
 pub use bandit::Bandit;
+pub use estimators::GainWindow;
 pub use exact_sum::ExactSum;
+
+use crate::error::Error;
+
+/// Checks among how many parts a bandit chooses, and what no reward exceeds: 0 where rewards have
+/// no bound.
+fn check_start(parts: usize, largest: f64) -> Result<(), Error> {
+    if parts == 0 {
+        return Err(Error::Count { name: "parts", must_be: "at least 1".to_owned(), got: parts });
+    }
+    check_at_least_0("largest", largest)
+}
+
+/// Checks that a number is finite and not negative.
+fn check_at_least_0(name: &'static str, number: f64) -> Result<(), Error> {
+    if number.is_finite() && number >= 0.0 {
+        return Ok(());
+    }
+    Err(Error::Number { name, must_be: "finite and not negative", got: number })
+}
+
+/// Checks that a number is in [0, 1].
+fn check_in_0_to_1(name: &'static str, number: f64) -> Result<(), Error> {
+    if (0.0..=1.0).contains(&number) {
+        return Ok(());
+    }
+    Err(Error::Number { name, must_be: "in [0, 1]", got: number })
+}
+
+/// Checks that a number is in (0, 1].
+fn check_above_0_to_1(name: &'static str, number: f64) -> Result<(), Error> {
+    if 0.0 < number && number <= 1.0 {
+        return Ok(());
+    }
+    Err(Error::Number { name, must_be: "in (0, 1]", got: number })
+}

@@ -1,6 +1,6 @@
 //! Mixture: strategies chosen with fixed probabilities.
 
-use super::{Choice, Composite};
+use super::{Choice, Composite, proportionally, total_of};
 use crate::bounds::UniformStream;
 use crate::error::{Error, check_finite};
 
@@ -45,30 +45,4 @@ impl Composite for Mixture {
     fn choose(&mut self, draws: &mut dyn UniformStream) -> Choice {
         Choice::of(proportionally(self.weights.iter().copied(), draws.next()))
     }
-}
-
-/// The sum in plain order, beginning with 0.
-fn total_of(weights: impl Iterator<Item = f64>) -> f64 {
-    weights.fold(0.0, |total, weight| total + weight)
-}
-
-/// An index with probability proportional to its weight; uniformly if all are 0. `u` is uniform
-/// in [0, 1).
-pub(crate) fn proportionally(weights: impl ExactSizeIterator<Item = f64> + Clone, u: f64) -> usize {
-    let total = total_of(weights.clone());
-    if total <= 0.0 {
-        return (u * weights.len() as f64) as usize;
-    }
-    let mut left = u * total;
-    let mut last = 0;
-    for (index, weight) in weights.enumerate() {
-        if left < weight {
-            return index;
-        }
-        left -= weight;
-        if weight > 0.0 {
-            last = index;
-        }
-    }
-    last // rounding carried u past the end
 }

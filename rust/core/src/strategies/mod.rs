@@ -6,6 +6,7 @@
 mod goal_babbling;
 mod mixture;
 mod motor_babbling;
+mod proportionally;
 mod schedule;
 
 use std::fmt;
@@ -18,8 +19,8 @@ use crate::history::History;
 
 pub use goal_babbling::GoalBabbling;
 pub use mixture::Mixture;
-pub(crate) use mixture::proportionally;
 pub use motor_babbling::MotorBabbling;
+pub use proportionally::{proportionally, share_of, total_of};
 pub use schedule::Schedule;
 
 /// A strategy that proposes by itself.

@@ -1,8 +1,55 @@
-//! The mean of a strategy's last gains.
+//! Window: the last rewards of each part, as in the paper.
 
 use std::collections::VecDeque;
 
-use super::ExactSum;
+use super::largest::Largest;
+use super::{Estimator, mean_of};
+use crate::bandits::ExactSum;
+
+/// The mean of each part's last `size` rewards, whenever it earned them.
+///
+/// A mean is recomputed when its part's window changes, and at no other time.
+#[derive(Debug)]
+pub(super) struct Window {
+    windows: Vec<GainWindow>,
+    means: Vec<f64>,
+    counts: Vec<f64>,
+    largest: Largest,
+}
+
+impl Window {
+    pub fn new(size: usize, head_start: usize, parts: usize, largest: f64) -> Self {
+        let window = GainWindow::new(size, largest, head_start);
+        Self {
+            means: vec![window.mean(); parts],
+            counts: vec![window.len() as f64; parts],
+            windows: vec![window; parts],
+            largest: Largest::new(largest),
+        }
+    }
+}
+
+impl Estimator for Window {
+    fn means(&self) -> &[f64] {
+        &self.means
+    }
+
+    fn counts(&self) -> &[f64] {
+        &self.counts
+    }
+
+    fn largest(&self) -> f64 {
+        self.largest.value()
+    }
+
+    fn add(&mut self, part: usize, reward: f64) {
+        let window = &mut self.windows[part];
+        window.add(reward);
+        self.means[part] = window.mean();
+        self.counts[part] = window.len() as f64;
+        self.largest.see(reward);
+    }
+}
 
 /// The gains of the last `size` effects that a strategy produced.
 ///
@@ -61,7 +108,7 @@ impl GainWindow {
     #[inline]
     #[must_use]
     pub fn mean(&self) -> f64 {
-        if self.gains.is_empty() { 0.0 } else { self.sum.value() / self.gains.len() as f64 }
+        mean_of(self.sum.value(), self.gains.len() as f64)
     }
 
     /// How many gains are in the window.

@@ -1,0 +1,141 @@
+//! Binding of the estimators: what a bandit remembers of rewards.
+
+use divbandit_core::Error;
+use divbandit_core::bandits::estimators::{Estimator, EstimatorKind};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+
+use crate::arrays::{count, number};
+use crate::errors::value_error;
+use crate::parts::{class_of, field};
+
+/// Which estimator a value of the library is; None for a user's.
+pub(crate) fn estimator_of(part: &Bound<'_, PyAny>) -> PyResult<Option<EstimatorKind>> {
+    Ok(Some(match class_of(part)?.as_deref() {
+        Some("Window") => EstimatorKind::Window {
+            size: field(part, "size")?,
+            head_start: field(part, "head_start")?,
+        },
+        Some("RecentWindow") => EstimatorKind::RecentWindow { size: field(part, "size")? },
+        Some("Discounted") => EstimatorKind::Discounted {
+            gamma: field(part, "gamma")?,
+            head_start: field(part, "head_start")?,
+        },
+        Some("WholePast") => EstimatorKind::WholePast,
+        _ => return Ok(None),
+    }))
+}
+
+/// What an estimator of the library has started: the mean reward of each strategy.
+///
+/// Parameters
+/// ----------
+/// value : estimator of the library
+///     For instance ``db.bandits.Window(50)``.
+/// parts : int
+///     How many strategies there are.
+/// largest : float
+///     What no reward exceeds; 0.0 where rewards have no bound.
+///
+/// Raises
+/// ------
+/// TypeError, ValueError
+///     If `value` is no estimator of the library, there are no parts, or `largest` is negative or
+///     not finite.
+///
+/// Examples
+/// --------
+/// >>> from divbandit.bandits import Window
+/// >>> estimates = Window(3, head_start=1).start(2, 6.0)
+/// >>> estimates.add(0, 3.0)
+/// >>> estimates.means, estimates.counts, estimates.largest
+/// ([4.5, 6.0], [2.0, 1.0], 6.0)
+#[pyclass(module = "divbandit._core", name = "Estimator")]
+pub(crate) struct PyEstimator(pub Box<dyn Estimator>);
+
+#[pymethods]
+impl PyEstimator {
+    #[new]
+    fn new(
+        value: &Bound<'_, PyAny>,
+        parts: &Bound<'_, PyAny>,
+        largest: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let Some(kind) = estimator_of(value)? else {
+            let got = value.get_type();
+            return Err(PyTypeError::new_err(format!(
+                "value must be an estimator of the library, got {}",
+                got.name()?
+            )));
+        };
+        let (parts, largest) = (count("parts", parts)?, number("largest", largest)?);
+        kind.start(parts, largest).map(Self).map_err(value_error)
+    }
+
+    /// The mean reward of each strategy; 0.0 where none is remembered.
+    #[getter]
+    fn means(&self) -> Vec<f64> {
+        self.0.means().to_vec()
+    }
+
+    /// Of how many rewards each mean is, or of what weight all together.
+    #[getter]
+    fn counts(&self) -> Vec<f64> {
+        self.0.counts().to_vec()
+    }
+
+    /// What no reward exceeds, or has exceeded so far.
+    #[getter]
+    fn largest(&self) -> f64 {
+        self.0.largest()
+    }
+
+    /// Remember a reward of a strategy.
+    ///
+    /// Parameters
+    /// ----------
+    /// part : int
+    ///     Its index.
+    /// reward : float
+    ///
+    /// Raises
+    /// ------
+    /// TypeError, ValueError
+    ///     If there is no such strategy, or `reward` is no finite number.
+    ///
+    /// Examples
+    /// --------
+    /// >>> from divbandit.bandits import WholePast
+    /// >>> estimates = WholePast().start(2, 6.0)
+    /// >>> estimates.add(1, 3.0)
+    /// >>> estimates.means
+    /// [0.0, 3.0]
+    fn add(&mut self, part: &Bound<'_, PyAny>, reward: &Bound<'_, PyAny>) -> PyResult<()> {
+        let part = part_of(part, self.0.means().len())?;
+        self.0.add(part, reward_of(reward)?);
+        Ok(())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Estimator with means {:?}>", self.0.means())
+    }
+}
+
+/// Reads the index of one of so many parts.
+pub(crate) fn part_of(part: &Bound<'_, PyAny>, parts: usize) -> PyResult<usize> {
+    let part = count("part", part)?;
+    if part < parts {
+        return Ok(part);
+    }
+    let must_be = format!("from 0 to {}", parts - 1);
+    Err(value_error(Error::Count { name: "part", must_be, got: part }))
+}
+
+/// Reads a finite reward.
+pub(crate) fn reward_of(reward: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let reward = number("reward", reward)?;
+    if reward.is_finite() {
+        return Ok(reward);
+    }
+    Err(value_error(Error::Number { name: "reward", must_be: "finite", got: reward }))
+}

@@ -1,0 +1,273 @@
+//! Binding of the policies: which strategy a bandit chooses.
+
+use divbandit_core::Error;
+use divbandit_core::bandits::policies::{self, Choice, Estimates, Policy, PolicyKind};
+use divbandit_core::strategies;
+use pyo3::exceptions::PyTypeError;
+use pyo3::intern;
+use pyo3::prelude::*;
+
+use crate::arrays::{Floats, count, number};
+use crate::errors::value_error;
+use crate::estimators::{PyEstimator, part_of, reward_of};
+use crate::parts::{class_of, field};
+use crate::random::NumpyStream;
+
+/// Which policy a value of the library is; None for a user's.
+pub(crate) fn policy_of(part: &Bound<'_, PyAny>) -> PyResult<Option<PolicyKind>> {
+    Ok(Some(match class_of(part)?.as_deref() {
+        Some("Proportional") => {
+            PolicyKind::Proportional { alpha: field(part, "alpha")?, power: field(part, "power")? }
+        }
+        Some("EpsilonGreedy") => PolicyKind::EpsilonGreedy { epsilon: field(part, "epsilon")? },
+        Some("Softmax") => PolicyKind::Softmax {
+            temperature: field(part, "temperature")?,
+            scaled: field(part, "scaled")?,
+        },
+        Some("UCB") => PolicyKind::Ucb { xi: field(part, "xi")? },
+        Some("Thompson") => PolicyKind::Thompson,
+        Some("Exp3") => PolicyKind::Exp3 { gamma: field(part, "gamma")? },
+        Some("Exp3S") => {
+            PolicyKind::Exp3S { gamma: field(part, "gamma")?, alpha: field(part, "alpha")? }
+        }
+        Some("RoundRobin") => PolicyKind::RoundRobin,
+        Some("Uniform") => PolicyKind::Uniform,
+        _ => return Ok(None),
+    }))
+}
+
+/// What a policy of the library has started: it chooses, and learns.
+///
+/// Parameters
+/// ----------
+/// value : policy of the library
+///     For instance ``db.bandits.Proportional(0.1)``.
+/// parts : int
+///     How many strategies there are.
+/// largest : float
+///     What no reward exceeds; 0.0 where rewards have no bound.
+///
+/// Raises
+/// ------
+/// TypeError, ValueError
+///     If `value` is no policy of the library, there are no parts, or `largest` is negative or
+///     not finite.
+///
+/// Examples
+/// --------
+/// >>> import numpy as np
+/// >>> from divbandit.bandits import Proportional, WholePast
+/// >>> estimates, policy = WholePast().start(2, 6.0), Proportional(0.5).start(2, 6.0)
+/// >>> estimates.add(1, 3.0)
+/// >>> policy.choose(estimates, np.random.default_rng(0))
+/// (1, 0.75)
+#[pyclass(module = "divbandit._core", name = "Policy")]
+pub(crate) struct PyPolicy {
+    policy: Box<dyn Policy>,
+    parts: usize,
+}
+
+#[pymethods]
+impl PyPolicy {
+    #[new]
+    fn new(
+        value: &Bound<'_, PyAny>,
+        parts: &Bound<'_, PyAny>,
+        largest: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let Some(kind) = policy_of(value)? else {
+            let got = value.get_type();
+            return Err(PyTypeError::new_err(format!(
+                "value must be a policy of the library, got {}",
+                got.name()?
+            )));
+        };
+        let (parts, largest) = (count("parts", parts)?, number("largest", largest)?);
+        let policy = kind.start(parts, largest).map_err(value_error)?;
+        Ok(Self { policy, parts })
+    }
+
+    /// Choose the strategy that is to propose next.
+    ///
+    /// Parameters
+    /// ----------
+    /// estimates : object with means, counts and largest
+    ///     What an estimator has started; one mean and one count for each strategy.
+    /// rng : numpy.random.Generator
+    ///     The only source of randomness, by ``rng.random()``.
+    ///
+    /// Returns
+    /// -------
+    /// index : int
+    /// probability : float or None
+    ///     With which it was chosen, where the policy knows it.
+    ///
+    /// Raises
+    /// ------
+    /// TypeError, ValueError
+    ///     If the estimates are not finite numbers, or of another number of strategies, or `rng` is
+    ///     no generator.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import numpy as np
+    /// >>> from divbandit.bandits import RoundRobin, WholePast
+    /// >>> estimates, policy = WholePast().start(2, 6.0), RoundRobin().start(2, 6.0)
+    /// >>> rng = np.random.default_rng(0)
+    /// >>> [policy.choose(estimates, rng)[0] for _ in range(3)]
+    /// [0, 1, 0]
+    fn choose(
+        &mut self,
+        estimates: &Bound<'_, PyAny>,
+        rng: &Bound<'_, PyAny>,
+    ) -> PyResult<(usize, Option<f64>)> {
+        let Choice { part, probability } = match estimates.cast_exact::<PyEstimator>() {
+            Ok(estimator) => {
+                let estimator = estimator.try_borrow()?;
+                let estimates = Estimates::of(&*estimator.0);
+                if estimates.means.len() != self.parts {
+                    let (name, got) = ("estimates.means", estimates.means.len());
+                    return Err(value_error(Error::Length { name, must_be: self.parts, got }));
+                }
+                self.policy.choose(&estimates, &mut NumpyStream::lock(rng)?)
+            }
+            Err(_) => {
+                let means = self.read(estimates, "means")?;
+                let counts = self.read(estimates, "counts")?;
+                let largest = estimates.getattr(intern!(rng.py(), "largest"))?;
+                let largest = number("estimates.largest", &largest)?;
+                finite("estimates.largest", &[largest])?;
+                let estimates = Estimates { means: &means, counts: &counts, largest };
+                self.policy.choose(&estimates, &mut NumpyStream::lock(rng)?)
+            }
+        };
+        Ok((part, probability))
+    }
+
+    /// Learn what a strategy has earned.
+    ///
+    /// Parameters
+    /// ----------
+    /// part : int
+    ///     Its index.
+    /// reward : float
+    /// probability : float or None
+    ///     With which it had been chosen, if that is known.
+    ///
+    /// Raises
+    /// ------
+    /// TypeError, ValueError
+    ///     If there is no such strategy, `reward` is no finite number, or `probability` not in
+    ///     (0, 1].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import numpy as np
+    /// >>> from divbandit.bandits import Exp3, WholePast
+    /// >>> estimates, policy = WholePast().start(2, 6.0), Exp3(0.5).start(2, 6.0)
+    /// >>> policy.learn(1, 3.0, 0.5)  # exp(0.5 (0.5 / 0.5) / 2) = 1.284
+    /// >>> index, probability = policy.choose(estimates, np.random.default_rng(0))
+    /// >>> index, round(probability, 6)
+    /// (1, 0.531088)
+    fn learn(
+        &mut self,
+        part: &Bound<'_, PyAny>,
+        reward: &Bound<'_, PyAny>,
+        probability: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        let (part, reward) = (part_of(part, self.parts)?, reward_of(reward)?);
+        let probability = probability.map(probability_of).transpose()?;
+        self.policy.learn(part, reward, probability);
+        Ok(())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Policy of {} strategies>", self.parts)
+    }
+}
+
+impl PyPolicy {
+    /// Reads what a user's estimator says of each strategy.
+    fn read(&self, estimates: &Bound<'_, PyAny>, what: &'static str) -> PyResult<Vec<f64>> {
+        let name = if what == "means" { "estimates.means" } else { "estimates.counts" };
+        let numbers = Floats::point(name, &estimates.getattr(what)?, Some(self.parts))?.copied()?;
+        finite(name, &numbers)?;
+        Ok(numbers)
+    }
+}
+
+/// Checks that numbers are finite.
+fn finite(name: &'static str, numbers: &[f64]) -> PyResult<()> {
+    divbandit_core::error::check_finite(name, numbers, numbers.len()).map_err(value_error)
+}
+
+/// Reads the probability of a choice that was made.
+fn probability_of(probability: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let number = number("probability", probability)?;
+    if 0.0 < number && number <= 1.0 {
+        return Ok(number);
+    }
+    let must_be = "in (0, 1]";
+    Err(value_error(Error::Number { name: "probability", must_be, got: number }))
+}
+
+/// An index with probability proportional to its weight; uniformly if all are 0.
+///
+/// Parameters
+/// ----------
+/// weights : list of float
+///     At least one; none is negative.
+/// u : float
+///     A draw from [0, 1).
+///
+/// Raises
+/// ------
+/// ValueError
+///     If there are no weights, or `u` is not in [0, 1).
+///
+/// Examples
+/// --------
+/// >>> from divbandit._core import proportionally
+/// >>> proportionally([1.0, 3.0], 0.2), proportionally([1.0, 3.0], 0.3)
+/// (0, 1)
+#[pyfunction]
+pub(crate) fn proportionally(weights: Vec<f64>, u: f64) -> PyResult<usize> {
+    if weights.is_empty() {
+        return Err(value_error(Error::Empty { name: "weights" }));
+    }
+    if !(0.0..1.0).contains(&u) {
+        return Err(value_error(Error::Number { name: "u", must_be: "in [0, 1)", got: u }));
+    }
+    Ok(strategies::proportionally(weights.iter().copied(), u))
+}
+
+/// The means' shares of the largest to a power; negative ones count as 0.
+///
+/// As shares none overflows, and not all vanish. Of the power 1 these are the means themselves.
+///
+/// Parameters
+/// ----------
+/// means : list of float
+/// power : float
+///     Not negative.
+///
+/// Raises
+/// ------
+/// ValueError
+///     If `power` is negative or not finite.
+///
+/// Examples
+/// --------
+/// >>> from divbandit._core import powers
+/// >>> powers([-1.0, 2.0, 4.0], 2.0), powers([-1.0, 2.0, 4.0], 1.0)
+/// ([0.0, 0.25, 1.0], [0.0, 2.0, 4.0])
+#[pyfunction]
+pub(crate) fn powers(means: Vec<f64>, power: f64) -> PyResult<Vec<f64>> {
+    if !(power.is_finite() && power >= 0.0) {
+        let must_be = "finite and not negative";
+        return Err(value_error(Error::Number { name: "power", must_be, got: power }));
+    }
+    let mut weights = Vec::with_capacity(means.len());
+    policies::powers(&means, power, &mut weights);
+    Ok(weights)
+}

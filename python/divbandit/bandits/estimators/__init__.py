@@ -1,0 +1,9 @@
+"""Estimators: what a bandit remembers of the rewards that its strategies earned."""
+
+from divbandit.bandits.estimators.discounted import Discounted
+from divbandit.bandits.estimators.protocol import Estimates, Estimator
+from divbandit.bandits.estimators.recent_window import RecentWindow
+from divbandit.bandits.estimators.whole_past import WholePast
+from divbandit.bandits.estimators.window import Window
+
+__all__ = ["Discounted", "Estimates", "Estimator", "RecentWindow", "WholePast", "Window"]

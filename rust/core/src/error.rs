@@ -34,6 +34,19 @@ pub enum Error {
         /// What it was.
         got: f64,
     },
+    /// A coordinate so many cells away from a grid's origin that no f64 can count them.
+    TooFar {
+        /// The argument's name.
+        name: &'static str,
+        /// Where: `[3]` or `[7, 3]`.
+        at: String,
+        /// The origin's coordinate.
+        origin: f64,
+        /// What it was.
+        got: f64,
+        /// The edge of a cell.
+        cell: f64,
+    },
     /// An array of the wrong length.
     Length {
         /// The argument's name.
@@ -69,6 +82,10 @@ impl fmt::Display for Error {
             Error::Element { name, at, must_be, got } => {
                 write!(f, "{name}{at} must be {must_be}, got {got:?}")
             }
+            Error::TooFar { name, at, origin, got, cell } => write!(
+                f,
+                "{name}{at} must be within 1.7e308 cells of {origin:?}, got {got:?} with cell {cell:?}"
+            ),
             Error::Length { name, must_be, got } => {
                 write!(f, "{name} must have length {must_be}, got {got}")
             }

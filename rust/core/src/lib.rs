@@ -13,6 +13,9 @@
 //! 5. [`Coverage`] says how much an effect has newly covered: its gain;
 //! 6. [`bandits`] let one of several strategies propose, by the rewards that each has earned;
 //! 7. [`exploration`] is the loop of all these, run by an [`Exploration`].
+//! 6. [`measures`] are this and other ways to say how diverse effects are;
+//! 7. [`bandits`] let one of several strategies propose, in proportion to the gains of each;
+//! 8. [`exploration`] is the loop of all these, run by an [`Exploration`].
 //!
 //! Everything that decides a trajectory is made of additions, multiplications,
 //! divisions and square roots in a fixed order, so that a seed gives the same bits
@@ -39,6 +42,7 @@ pub mod coverage;
 pub mod elementary;
 pub mod environment;
 pub mod error;
+pub mod exact_sum;
 pub mod exploration;
 pub mod goals;
 pub mod history;
@@ -59,6 +63,8 @@ pub use coverage::Coverage;
 pub use environment::Environment;
 pub use error::Error;
 pub use exploration::{Composition, Exploration, Proposal};
+pub use exact_sum::ExactSum;
+pub use exploration::{Composition, Exploration};
 pub use history::History;
 pub use instructions::Instructions;
 pub use kdtree::NearestNeighbors;

@@ -2,7 +2,7 @@
 
 mod oracles;
 
-use divbandit_core::bandits::ExactSum;
+use divbandit_core::ExactSum;
 use oracles::sums::{in_parts, on_paper};
 use oracles::{Stream, fixed};
 use proptest::prelude::*;

@@ -6,13 +6,11 @@
 
 mod bandit;
 pub mod estimators;
-mod exact_sum;
 pub mod policies;
 pub mod rewards;
 
 pub use bandit::Bandit;
 pub use estimators::GainWindow;
-pub use exact_sum::ExactSum;
 
 use crate::error::Error;
 

@@ -14,10 +14,10 @@ mod sum;
 mod union;
 
 use crate::error::{Error, check_finite, check_length, check_rows, place};
+use crate::exact_sum::ExactSum;
 use crate::kdtree::NearestNeighbors;
 pub use estimate::Estimated;
 pub use plane::BoundaryArc;
-use sum::CompensatedSum;
 use union::HIGHEST;
 pub use union::Sampling;
 pub(crate) use union::Union;
@@ -33,8 +33,8 @@ pub struct Coverage {
     effects: Vec<f64>,
     gains: Vec<f64>,
     errors: Vec<f64>,
-    measure: CompensatedSum,
-    variance: CompensatedSum,
+    measure: ExactSum,
+    variance: ExactSum,
     /// The effects once more, as far as somebody asked where they lie.
     tree: NearestNeighbors,
 }
@@ -82,8 +82,8 @@ impl Coverage {
             effects: Vec::new(),
             gains: Vec::new(),
             errors: Vec::new(),
-            measure: CompensatedSum::default(),
-            variance: CompensatedSum::default(),
+            measure: ExactSum::default(),
+            variance: ExactSum::default(),
             tree: NearestNeighbors::new(dim)?,
         })
     }
@@ -175,13 +175,13 @@ impl Coverage {
     /// The measure of the union.
     #[must_use]
     pub fn measure(&self) -> f64 {
-        self.measure.total()
+        self.measure.value()
     }
 
     /// The standard error of the measure: 0 where it is exact.
     #[must_use]
     pub fn standard_error(&self) -> f64 {
-        self.variance.total().sqrt() * self.ball()
+        self.variance.value().sqrt() * self.ball()
     }
 
     /// The measure of one ball, which no gain exceeds.

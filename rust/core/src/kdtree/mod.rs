@@ -178,7 +178,11 @@ impl NearestNeighbors {
         }
     }
 
-    fn check_room(&self, more: usize) -> Result<(), Error> {
+    /// Refuses so many more points where they would be too many.
+    ///
+    /// # Errors
+    /// If they would be more than 2^32 - 1.
+    pub(crate) fn check_room(&self, more: usize) -> Result<(), Error> {
         let total = self.len().saturating_add(more);
         if total < u32::MAX as usize {
             Ok(())

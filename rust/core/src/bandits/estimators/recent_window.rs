@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::largest::Largest;
 use super::{Estimator, mean_of};
-use crate::bandits::ExactSum;
+use crate::exact_sum::ExactSum;
 
 /// The mean of each part's rewards among the last `size` rewards of all of them.
 ///

@@ -2,7 +2,7 @@
 
 use super::largest::Largest;
 use super::{Estimator, mean_of};
-use crate::bandits::ExactSum;
+use crate::exact_sum::ExactSum;
 
 /// The mean of all rewards that each part ever earned.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::largest::Largest;
 use super::{Estimator, mean_of};
-use crate::bandits::ExactSum;
+use crate::exact_sum::ExactSum;
 
 /// The mean of each part's last `size` rewards, whenever it earned them.
 ///

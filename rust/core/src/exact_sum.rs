@@ -13,7 +13,7 @@ const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
 /// complement: adding a number adds its 53 bits at their place, and a carry seldom goes further.
 ///
 /// ```
-/// use divbandit_core::bandits::ExactSum;
+/// use divbandit_core::ExactSum;
 ///
 /// let mut sum = ExactSum::default();
 /// for number in [1e300, 0.1, 1e-300] {

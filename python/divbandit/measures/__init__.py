@@ -2,23 +2,27 @@
 
 from typing import TYPE_CHECKING
 
+from divbandit.measures.balls import BallCoverage
 from divbandit.measures.boundary import Loop, to_shapely
 from divbandit.measures.coverage import Coverage, coverage
 from divbandit.measures.entropy import Entropy
 from divbandit.measures.grid import GridCoverage
-from divbandit.measures.protocol import Measure
+from divbandit.measures.protocol import Measure, RunningMeasure
 from divbandit.measures.sparseness import Sparseness
 
 __all__ = [
+    "BallCoverage",
     "Coverage",
     "Entropy",
     "GridCoverage",
     "Loop",
     "Measure",
+    "RunningMeasure",
     "Sparseness",
     "coverage",
     "to_shapely",
 ]
 
-if TYPE_CHECKING:  # what mypy is to hold to the protocol
-    _MEASURES: tuple[type[Measure], ...] = (Coverage, Entropy, GridCoverage, Sparseness)
+if TYPE_CHECKING:  # what mypy is to hold to the protocols
+    _MEASURES: tuple[type[Measure], ...] = (BallCoverage, Entropy, GridCoverage, Sparseness)
+    _RUNNING: type[RunningMeasure] = Coverage

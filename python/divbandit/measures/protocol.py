@@ -11,31 +11,30 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class Measure(Protocol):
-    """How diverse a growing set of effects is, and what one more effect adds to it: its gain.
+    """A way to say how diverse effects are; `start` makes a running measure of it.
 
-    Anything with these members is one; no base class is needed. The measure of no effects is 0,
-    and of others the sum of the gains that `add` and `extend` returned for them. ``len`` of it
-    is the number of effects, those that gained nothing included.
-
-    Whoever works with a measure - `Adapt`, `Exploration.diversity` - is given an empty one and
-    takes deep copies of it (``copy.deepcopy``, which any plain class supports); it is never
-    changed. To save a bandit, its measure must be picklable as well.
+    Anything with this method is one; no base class is needed. A measure of your own is copied
+    (``copy.deepcopy``, which any plain class supports) before it is started, so `start` may set
+    the object up and return it.
 
     See Also
     --------
-    Coverage, GridCoverage, Sparseness, Entropy
+    BallCoverage, GridCoverage, Sparseness, Entropy
 
     Examples
     --------
-    A measure of one's own, for effects that are single numbers in [0, 1]: how far apart the
-    lowest and the highest of them are.
+    For effects that are single numbers in [0, 1]: how far apart the lowest and the highest of
+    them are.
 
     >>> import numpy as np
-    >>> import divbandit as db
+    >>> from divbandit.measures import Measure, RunningMeasure
     >>> class Width:
     ...     dim, largest_gain, measure = 1, 1.0, 0.0
-    ...     def __init__(self):
+    ...     def start(self, dim):
+    ...         if dim != 1:
+    ...             raise ValueError(f"effects must be single numbers, got {dim} each")
     ...         self.seen = []
+    ...         return self
     ...     def __len__(self):
     ...         return len(self.seen)
     ...     def gain(self, effect):
@@ -49,16 +48,51 @@ class Measure(Protocol):
     ...         return gain
     ...     def extend(self, effects):
     ...         return np.array([self.add(one) for one in effects])
-    >>> isinstance(Width(), db.Measure)
-    True
-    >>> Width().extend([[0.25], [0.75], [0.5]])
+    >>> isinstance(Width(), Measure), isinstance(Width().start(1), RunningMeasure)
+    (True, True)
+    >>> Width().start(1).extend([[0.25], [0.75], [0.5]])
     array([0. , 0.5, 0. ])
-    >>> unit = db.Box([0], [1])
-    >>> square = db.FunctionEnvironment(lambda x: x**2, unit, unit)
-    >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], measure=Width())
-    >>> run = db.explore(square, adapt, n=100, rng=0)
-    >>> bool(run.diversity(Width())[-1] == np.ptp(run.effects))
-    True
+    """
+
+    def start(self, dim: int, /) -> RunningMeasure:
+        """Return the measure of no effects.
+
+        Parameters
+        ----------
+        dim : int
+            Dimension of the effects, at least 1.
+
+        Returns
+        -------
+        RunningMeasure
+
+        Raises
+        ------
+        ValueError
+            If it does not measure effects of this dimension.
+
+        Examples
+        --------
+        >>> from divbandit.measures import GridCoverage
+        >>> GridCoverage(0.5).start(2).extend([[0.1, 0.2], [0.2, 0.1], [0.9, 0.2]])
+        array([1., 0., 1.])
+        """
+
+
+@runtime_checkable
+class RunningMeasure(Protocol):
+    """How diverse a growing set of effects is, and what one more effect adds to it: its gain.
+
+    What the `start` of a `Measure` returns; a `Coverage` is one, too. The measure of no effects
+    is 0, and of others the sum of the gains that `add` and `extend` returned for them. ``len`` of
+    it is the number of effects, those that gained nothing included.
+
+    Examples
+    --------
+    >>> from divbandit.measures import Entropy
+    >>> entropy = Entropy(1.0).start(1)
+    >>> entropy.add([0.5]), entropy.add([0.25]), entropy.measure, len(entropy)
+    (0.0, 0.0, 0.0, 2)
     """
 
     @property
@@ -73,7 +107,7 @@ class Measure(Protocol):
     def largest_gain(self) -> float:
         """What no gain exceeds; 0.0 where there is no such bound. Finite, not negative.
 
-        It is the gain that `Adapt` pretends each strategy began with, its head start.
+        It is the gain that a bandit pretends each strategy began with, its head start.
         """
 
     def add(self, effect: ArrayLike, /) -> float:
@@ -95,8 +129,8 @@ class Measure(Protocol):
 
         Examples
         --------
-        >>> import divbandit as db
-        >>> grid = db.GridCoverage(0.5)
+        >>> from divbandit.measures import GridCoverage
+        >>> grid = GridCoverage(0.5).start(2)
         >>> grid.add([0.1, 0.2]), grid.add([0.2, 0.1])
         (1.0, 0.0)
         """
@@ -120,8 +154,8 @@ class Measure(Protocol):
 
         Examples
         --------
-        >>> import divbandit as db
-        >>> db.GridCoverage(0.5).extend([[0.1, 0.2], [0.2, 0.1], [0.9, 0.2]])
+        >>> from divbandit.measures import GridCoverage
+        >>> GridCoverage(0.5).start(2).extend([[0.1, 0.2], [0.2, 0.1], [0.9, 0.2]])
         array([1., 0., 1.])
         """
 
@@ -144,8 +178,8 @@ class Measure(Protocol):
 
         Examples
         --------
-        >>> import divbandit as db
-        >>> grid = db.GridCoverage(0.5)
+        >>> from divbandit.measures import GridCoverage
+        >>> grid = GridCoverage(0.5).start(2)
         >>> grid.gain([0.1, 0.2]), grid.gain([[0.1, 0.2], [0.2, 0.1]]), len(grid)
         (1.0, array([1., 1.]), 0)
         """

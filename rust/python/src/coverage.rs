@@ -157,7 +157,7 @@ impl PyCoverage {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let effects = self.points("effects", effects)?;
         let mut gains = vec![0.0; effects.len() / self.0.dim()];
-        let some = self.at_once();
+        let some = at_once(self.0.dim());
         for (effects, gains) in effects.chunks(some * self.0.dim()).zip(gains.chunks_mut(some)) {
             py.detach(|| self.0.extend(effects, gains)).map_err(value_error)?;
             py.check_signals()?;
@@ -208,7 +208,7 @@ impl PyCoverage {
         }
         let effects = self.points("effect", effect)?;
         let (mut gains, mut errors) = (Vec::new(), Vec::new());
-        for some in effects.chunks(self.at_once() * self.0.dim()) {
+        for some in effects.chunks(at_once(self.0.dim()) * self.0.dim()) {
             py.detach(|| {
                 for effect in some.chunks_exact(self.0.dim()) {
                     let found = self.0.estimate(effect)?;
@@ -367,14 +367,15 @@ impl PyCoverage {
         check_finite(name, &points, self.0.dim()).map_err(value_error)?;
         Ok(points)
     }
+}
 
-    /// How many effects to work on before Ctrl-C is asked for: what takes some milliseconds.
-    fn at_once(&self) -> usize {
-        match self.0.dim() {
-            1 | 2 => 1000,
-            3 => 100,
-            _ => 4,
-        }
+/// How many effects of this dimension to work on before Ctrl-C is asked for: what takes some
+/// milliseconds.
+pub(crate) fn at_once(dim: usize) -> usize {
+    match dim {
+        1 | 2 => 1000,
+        3 => 100,
+        _ => 4,
     }
 }
 

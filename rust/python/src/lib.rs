@@ -48,6 +48,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<rewards::PyReward>()?;
     module.add("NotBuiltInError", module.py().get_type::<composition::NotBuiltInError>())?;
     module.add_class::<estimators::PyEstimator>()?;
+    module.add_class::<measures::PyMeasure>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
     module.add_class::<policies::PyPolicy>()?;
     module.add_function(wrap_pyfunction!(elementary::exp, module)?)?;

@@ -13,6 +13,17 @@ pub(crate) fn class_of(part: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
     Ok(if is_ours(&class)? { Some(class.name()?.to_string()) } else { None })
 }
 
+/// The name of the class of the library that a part is of, or that its class derives from.
+pub(crate) fn library_class_of(part: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
+    for class in part.get_type().mro() {
+        let class = class.cast_into::<PyType>()?;
+        if is_ours(&class)? {
+            return Ok(Some(class.name()?.to_string()));
+        }
+    }
+    Ok(None)
+}
+
 /// Whether a class is defined in the package.
 fn is_ours(class: &Bound<'_, PyType>) -> PyResult<bool> {
     Ok(class.module()?.to_str()?.starts_with(PACKAGE))

@@ -8,6 +8,8 @@ use std::hint::black_box;
 
 use cpu_time::ProcessTime;
 use divbandit_core::bandits::{Adapt, GainWindow};
+use divbandit_core::goals::Uniform;
+use divbandit_core::inverse::Nearest;
 use divbandit_core::strategies::{GoalBabbling, MotorBabbling};
 use divbandit_core::{
     Bounds, Composition, Coverage, Exploration, History, NearestNeighbors, PlanarArm,
@@ -35,8 +37,9 @@ fn adapt(d: f64, n: usize, keep_commands: bool) -> Exploration {
     let space = Bounds::new(vec![-LIMIT; JOINTS], vec![LIMIT; JOINTS]).unwrap();
     let goals = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
     let mut strategies = Composition::default();
-    let parts =
-        vec![strategies.add(MotorBabbling), strategies.add(GoalBabbling::new(d, None).unwrap())];
+    let (goals, inverse) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
+    let babbling = GoalBabbling::new(Box::new(goals), Box::new(inverse));
+    let parts = vec![strategies.add(MotorBabbling), strategies.add(babbling)];
     let bandit = Adapt::new(2, Coverage::new(TAU, 2).unwrap(), WINDOW, 0.1, 1).unwrap();
     let root = strategies.compose(bandit, parts).unwrap();
     let history = History::new(space, Some(goals), 2, keep_commands).unwrap();

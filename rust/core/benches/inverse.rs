@@ -3,7 +3,8 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use divbandit_core::{Bounds, NearestNeighbors, PlanarArm, inverse};
+use divbandit_core::inverse::{InverseModel, Nearest};
+use divbandit_core::{Bounds, PlanarArm};
 
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
@@ -23,16 +24,16 @@ fn goals_to_commands(criterion: &mut Criterion) {
         let commands: Vec<f64> = (0..n * JOINTS).map(|_| stream.between(-LIMIT, LIMIT)).collect();
         let mut effects = vec![0.0; 2 * n];
         arm.effects(&commands, &mut effects).unwrap();
-        let mut tree = NearestNeighbors::new(2).unwrap();
-        tree.extend(&effects).unwrap();
+        let mut history = oracles::past::past(&space, None, 2, &commands, &effects);
+        let (mut model, mut command) = (Nearest::new(0.05).unwrap(), [0.0; JOINTS]);
         let goals: Vec<f64> = (0..2 * GOALS).map(|_| stream.between(-1.0, 1.0)).collect();
 
         group.bench_function(BenchmarkId::from_parameter(n), |bencher| {
             let mut unit = || stream.unit();
             bencher.iter(|| {
                 for goal in goals.chunks_exact(2) {
-                    let command = inverse(goal, 0.05, &tree, &commands, &space, &mut unit);
-                    black_box(command.unwrap());
+                    model.command(goal, &mut history, &mut unit, &mut command).unwrap();
+                    black_box(&command);
                 }
             });
         });

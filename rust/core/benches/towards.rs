@@ -3,10 +3,10 @@
 
 use std::hint::black_box;
 
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use divbandit_core::goals::Untried;
-use divbandit_core::inverse::{LocalJacobian, Observed};
-use divbandit_core::{Bounds, NearestNeighbors, PlanarArm};
+use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use divbandit_core::goals::{GoalSampler, Untried};
+use divbandit_core::inverse::{InverseModel, LocalJacobian};
+use divbandit_core::{Bounds, PlanarArm};
 
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
@@ -22,55 +22,54 @@ fn steps(criterion: &mut Criterion) {
     let arm = PlanarArm::new(JOINTS, LIMIT).unwrap();
     let space = Bounds::new(vec![-LIMIT; JOINTS], vec![LIMIT; JOINTS]).unwrap();
     let reachable = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
-    let search = Untried::new(TAU, 12, 20, 4.0).unwrap();
-    let model = LocalJacobian::new(NEIGHBOURS - 1, 10, 0.01, 0.015, 0.3).unwrap();
     let mut group = criterion.benchmark_group("towards");
     group.throughput(Throughput::Elements(GOALS as u64));
     for n in [1000, 10_000] {
         let mut stream = oracles::Stream(1);
         let mut unit = || stream.unit();
-        let mut effects = NearestNeighbors::new(2).unwrap();
-        let (mut commands, mut counts) = (Vec::new(), vec![0; n]);
-        let mut goals = Vec::new();
+        let mut search = Untried::new(TAU, 12, 20, 4.0, None).unwrap();
+        let mut model = LocalJacobian::new(NEIGHBOURS - 1, 10, 0.01, 0.015, 0.3).unwrap();
+        let mut history = oracles::past::past(&space, Some(&reachable), 2, &[], &[]);
+        let (mut command, mut goal, mut goals) = (vec![0.0; JOINTS], Vec::new(), Vec::new());
         for i in 0..n {
-            let command = if i % 10 == 0 {
-                space.sample(&mut unit)
+            if i % 10 == 0 {
+                command = space.sample(&mut unit);
             } else {
-                let goal = search.sample(&reachable, &effects, &mut counts, &mut unit).unwrap();
-                let observed =
-                    Observed { effects: &effects, commands: &commands, motor_space: &space };
-                let command = model.command(&goal, &observed, &mut unit).unwrap();
-                goals.push(goal);
-                command
-            };
-            effects.add(&arm.effect(&command).unwrap()).unwrap();
-            commands.extend(command);
+                search.sample(&mut history, &mut unit, &mut goal).unwrap();
+                model.command(&goal, &mut history, &mut unit, &mut command).unwrap();
+                goals.push(goal.clone());
+            }
+            history.record(&command, &arm.effect(&command).unwrap());
         }
         let goals = &goals[goals.len().saturating_sub(GOALS)..];
 
         group.bench_function(BenchmarkId::new("goal", n), |bencher| {
             bencher.iter_batched_ref(
-                || counts.clone(),
-                |counts| {
+                || search.clone(),
+                |search| {
                     for _ in 0..GOALS {
-                        black_box(search.sample(&reachable, &effects, counts, &mut unit).unwrap());
+                        search.sample(&mut history, &mut unit, &mut goal).unwrap();
+                        black_box(&goal);
                     }
                 },
-                criterion::BatchSize::LargeInput,
+                BatchSize::LargeInput,
             );
         });
-        let observed = Observed { effects: &effects, commands: &commands, motor_space: &space };
         group.bench_function(BenchmarkId::new("command", n), |bencher| {
             bencher.iter(|| {
                 for goal in goals {
-                    black_box(model.command(goal, &observed, &mut unit).unwrap());
+                    model.command(goal, &mut history, &mut unit, &mut command).unwrap();
+                    black_box(&command);
                 }
             });
         });
+        let effects = history.observed().unwrap().effects;
+        let mut found = Vec::new();
         group.bench_function(BenchmarkId::new("neighbours", n), |bencher| {
             bencher.iter(|| {
                 for goal in goals {
-                    black_box(effects.nearest_k(goal, NEIGHBOURS).unwrap());
+                    effects.nearest_k_into(goal, NEIGHBOURS, &mut found).unwrap();
+                    black_box(&found);
                 }
             });
         });

@@ -139,14 +139,11 @@ impl History {
     /// All that was observed, to be searched.
     ///
     /// # Errors
-    /// If nothing was observed yet, or the commands are not kept.
+    /// If nothing was observed yet.
     pub fn observed(&mut self) -> Result<Observed<'_>, Error> {
         let Some(effects) = self.effects.as_mut().filter(|effects| !effects.is_empty()) else {
             return Err(Error::Empty { name: "history" });
         };
-        if self.commands.is_empty() {
-            return Err(Error::Empty { name: "commands" });
-        }
         effects.file_all();
         Ok(Observed { effects, commands: &self.commands, motor_space: &self.motor_space })
     }

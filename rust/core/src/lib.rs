@@ -6,8 +6,8 @@
 //! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect; so do an [`ObstructedArm`]
 //!    among obstacles and a [`PushArm`], which pushes a ball;
 //! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
-//! 3. [`goals`] draw the goal by what is known, [`inverse()`](inverse()) and other inverse models
-//!    turn it into the next motor command, inside its [`Bounds`];
+//! 3. [`goals`] draw the goal by what is known, and [`inverse`] models turn it into the next motor
+//!    command, inside its [`Bounds`];
 //! 4. [`strategies`] propose commands in this and other ways, seeing the [`History`] of all that
 //!    was observed;
 //! 5. [`Coverage`] says how much an effect has newly covered: its gain;

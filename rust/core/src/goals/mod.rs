@@ -1,41 +1,66 @@
-//! Goals drawn by what is known already: away from all effects, or just beyond them.
+//! Goal samplers: where goal babbling wants to get next, given what is known already.
 //!
-//! Each search draws points of a box of goals until one is right.
-//!
-//! - [`uncovered`]: farther than tau from every effect;
-//! - [`frontier`]: such a goal around an effect;
-//! - [`novel`]: of a few, the one farthest from its nearest effect;
-//! - [`Untried`]: of a few uncovered ones, the one whose nearest effect was started from least often.
+//! - [`Uniform`]: anywhere in a box, as in the paper;
+//! - [`Grid`]: in each cell of a grid before there is a second goal in any;
+//! - [`Uncovered`]: farther than tau from every effect;
+//! - [`Frontier`]: such a goal around an effect;
+//! - [`Novel`]: of a few goals, the one farthest from its nearest effect;
+//! - [`Untried`]: of a few uncovered goals, the one whose nearest effect was aimed from least often.
 
+mod area;
+mod covered;
 mod frontier;
+mod grid;
 mod novel;
 mod uncovered;
+mod uniform;
 mod untried;
 
-pub use frontier::frontier;
-pub use novel::novel;
-pub use uncovered::uncovered;
+use std::fmt;
+
+pub use frontier::Frontier;
+pub use grid::{Cells, Grid};
+pub use novel::Novel;
+pub use uncovered::Uncovered;
+pub use uniform::Uniform;
 pub use untried::Untried;
 
-use crate::bounds::Bounds;
-use crate::error::{Error, check_length};
-use crate::kdtree::NearestNeighbors;
+use crate::bounds::{Bounds, UniformStream};
+use crate::error::Error;
+use crate::history::History;
 
-/// Checks what every search is given: a box, effects, and how often to draw.
-fn check(
-    goals: &Bounds,
-    effects: &NearestNeighbors,
-    name: &'static str,
-    times: usize,
-) -> Result<(), Error> {
-    check_length("goals", goals.low(), effects.dim())?;
-    if effects.is_empty() {
-        return Err(Error::Empty { name: "the set of effects" });
+/// What draws the goals of one exploration.
+///
+/// A sampler belongs to the history that it is first asked about: what it remembers is of that one.
+pub trait GoalSampler: fmt::Debug + Send + Sync {
+    /// Refuses effects of a dimension that it cannot draw goals for (None if it is not known
+    /// yet), and a missing box.
+    ///
+    /// # Errors
+    /// [`Error::Empty`] of "goals" if it has no box and there is no sensory space.
+    fn check(&self, effect_dim: Option<usize>, sensory_space: Option<&Bounds>)
+    -> Result<(), Error>;
+
+    /// Writes a goal, which takes the length that it needs.
+    ///
+    /// Where nothing was observed yet, samplers that look at effects draw it uniformly in the box.
+    ///
+    /// # Errors
+    /// If there is no box to draw in, or it does not fit the effects; nothing is drawn then.
+    fn sample(
+        &mut self,
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        goal: &mut Vec<f64>,
+    ) -> Result<(), Error>;
+}
+
+/// Checks that `name` counts something.
+fn check_count(name: &'static str, got: usize) -> Result<(), Error> {
+    if got > 0 {
+        return Ok(());
     }
-    if times == 0 {
-        return Err(Error::Count { name, must_be: "at least 1".into(), got: times });
-    }
-    Ok(())
+    Err(Error::Count { name, must_be: "at least 1".into(), got })
 }
 
 /// Checks that a distance called `name` is one.
@@ -44,4 +69,12 @@ fn check_distance(name: &'static str, distance: f64) -> Result<(), Error> {
         return Ok(());
     }
     Err(Error::Number { name, must_be: "positive and finite", got: distance })
+}
+
+/// Checks that a reach, in tau, does not end within what an effect covers.
+fn check_reach(reach: f64) -> Result<(), Error> {
+    if reach >= 1.0 && reach.is_finite() {
+        return Ok(());
+    }
+    Err(Error::Number { name: "reach", must_be: "at least 1, finite", got: reach })
 }

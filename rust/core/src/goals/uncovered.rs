@@ -1,30 +1,60 @@
 //! A goal that no effect covers.
 
+use super::area::Area;
+use super::covered::Covered;
+use super::{GoalSampler, check_count};
 use crate::bounds::{Bounds, UniformStream};
 use crate::error::Error;
-use crate::kdtree::NearestNeighbors;
+use crate::history::History;
 
-/// A goal uniform among those of the box that are farther than `tau` from every effect: the first
-/// of at most `tries` that is, or else the last.
-///
-/// # Errors
-/// If the sizes do not fit, there is no effect, `tau` is not positive or `tries` is 0; `stream` is
-/// then untouched.
-pub fn uncovered(
-    goals: &Bounds,
-    tau: f64,
+/// Goals uniform among those of the box that are farther than tau from every effect: the first of
+/// at most so many that is, or else the last.
+#[derive(Debug, Clone)]
+pub struct Uncovered {
     tries: usize,
-    effects: &NearestNeighbors,
-    stream: &mut (impl UniformStream + ?Sized),
-) -> Result<Vec<f64>, Error> {
-    super::check(goals, effects, "tries", tries)?;
-    super::check_distance("tau", tau)?;
-    let mut goal = goals.sample(stream);
-    for _ in 1..tries {
-        if effects.nearest(&goal)?.0 > tau {
-            break;
-        }
-        goals.sample_into(&mut goal, stream);
+    area: Area,
+    covered: Covered,
+}
+
+impl Uncovered {
+    /// Farther than `tau`, the first of at most `tries`, in `goals_box`, or else the sensory space.
+    ///
+    /// # Errors
+    /// If `tau` is not positive and finite, or `tries` is 0.
+    pub fn new(tau: f64, tries: usize, goals_box: Option<Bounds>) -> Result<Self, Error> {
+        check_count("tries", tries)?;
+        Ok(Self { tries, area: Area::new(goals_box), covered: Covered::new(tau)? })
     }
-    Ok(goal)
+}
+
+impl GoalSampler for Uncovered {
+    fn check(
+        &self,
+        effect_dim: Option<usize>,
+        sensory_space: Option<&Bounds>,
+    ) -> Result<(), Error> {
+        self.area.check(effect_dim, sensory_space).map(|_| ())
+    }
+
+    fn sample(
+        &mut self,
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        goal: &mut Vec<f64>,
+    ) -> Result<(), Error> {
+        if history.is_empty() {
+            return self.area.sample(history, draws, goal);
+        }
+        let (goals, effects) = self.area.with_effects(history)?;
+        self.covered.update(goals, effects);
+        goal.resize(goals.dim(), 0.0);
+        goals.sample_into(goal, draws);
+        for _ in 1..self.tries {
+            if !self.covered.covers(goal, effects)? {
+                break;
+            }
+            goals.sample_into(goal, draws);
+        }
+        Ok(())
+    }
 }

@@ -1,117 +1,137 @@
-//! A goal that no effect covers, next to an effect that was started from least often.
+//! A goal that no effect covers, next to an effect that was aimed from least often.
 
+use super::area::Area;
+use super::covered::Covered;
+use super::{GoalSampler, check_count, check_reach};
 use crate::bounds::{Bounds, UniformStream};
 use crate::error::Error;
+use crate::history::History;
 use crate::kdtree::NearestNeighbors;
 
-/// The search's settings.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Of a few uncovered goals the one whose nearest effect was counted least so far, the first of
+/// several; that effect is counted once more.
+///
+/// Each is drawn at most so many times until it is farther than tau from every effect. A goal whose
+/// nearest effect was never counted is taken at once: no other is better. What is farther than
+/// the reach times tau from its nearest effect is moved straight towards it, to that distance; the
+/// goal stays in the box.
+#[derive(Debug, Clone)]
 pub struct Untried {
     tau: f64,
     candidates: usize,
     tries: usize,
     reach: f64,
+    area: Area,
+    covered: Covered,
+    /// How often each effect was the nearest of a goal.
+    counts: Vec<u32>,
+    candidate: Vec<f64>,
 }
 
 impl Untried {
-    /// Of up to `candidates` goals, each drawn at most `tries` times until it is farther than `tau`
-    /// from every effect, and not farther than `reach` times `tau` from the nearest.
+    /// Of up to `candidates` goals, each drawn at most `tries` times, not farther than `reach` times
+    /// `tau` from the nearest effect, in `goals_box`, or else the sensory space.
     ///
     /// # Errors
     /// If a count is 0, `tau` is not positive and finite, or `reach` is less than 1 or not finite.
-    pub fn new(tau: f64, candidates: usize, tries: usize, reach: f64) -> Result<Self, Error> {
-        super::check_distance("tau", tau)?;
-        for (name, got) in [("candidates", candidates), ("tries", tries)] {
-            if got == 0 {
-                return Err(Error::Count { name, must_be: "at least 1".into(), got });
-            }
-        }
-        if !(reach >= 1.0 && reach.is_finite()) {
-            return Err(Error::Number { name: "reach", must_be: "at least 1, finite", got: reach });
-        }
-        Ok(Self { tau, candidates, tries, reach })
+    pub fn new(
+        tau: f64,
+        candidates: usize,
+        tries: usize,
+        reach: f64,
+        goals_box: Option<Bounds>,
+    ) -> Result<Self, Error> {
+        let covered = Covered::new(tau)?;
+        check_count("candidates", candidates)?;
+        check_count("tries", tries)?;
+        check_reach(reach)?;
+        let (area, counts, candidate) = (Area::new(goals_box), Vec::new(), Vec::new());
+        Ok(Self { tau, candidates, tries, reach, area, covered, counts, candidate })
+    }
+}
+
+impl GoalSampler for Untried {
+    fn check(
+        &self,
+        effect_dim: Option<usize>,
+        sensory_space: Option<&Bounds>,
+    ) -> Result<(), Error> {
+        self.area.check(effect_dim, sensory_space).map(|_| ())
     }
 
-    /// The goal whose nearest effect was counted least so far, the first of several; that effect is
-    /// counted once more.
-    ///
-    /// `counts` holds at least one number for each effect. A goal whose nearest effect was never
-    /// counted is taken at once: no other is better. What is farther than `reach` times `tau` from
-    /// its nearest effect is moved straight towards it, to that distance; the goal stays in the box.
-    ///
-    /// # Errors
-    /// If the sizes do not fit, or there is no effect; `stream` and `counts` are then untouched.
-    pub fn sample(
-        &self,
-        goals: &Bounds,
-        effects: &NearestNeighbors,
-        counts: &mut [u32],
-        stream: &mut (impl UniformStream + ?Sized),
-    ) -> Result<Vec<f64>, Error> {
-        super::check(goals, effects, "tries", self.tries)?;
-        if counts.len() < effects.len() {
-            let (must_be, got) = (effects.len(), counts.len());
-            return Err(Error::Length { name: "counts", must_be, got });
+    fn sample(
+        &mut self,
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        goal: &mut Vec<f64>,
+    ) -> Result<(), Error> {
+        if history.is_empty() {
+            return self.area.sample(history, draws, goal);
         }
-        let mut goal = vec![0.0; effects.dim()];
-        let mut best = goal.clone();
-        let mut from: Option<(u32, usize)> = None;
+        let (goals, effects) = self.area.with_effects(history)?;
+        self.covered.update(goals, effects);
+        self.counts.resize(effects.len(), 0);
+        goal.resize(goals.dim(), 0.0);
+        self.candidate.resize(goals.dim(), 0.0);
+        let candidate = &mut self.candidate[..];
+        // The count, the distance and the index of the nearest effect.
+        let mut best: Option<(u32, f64, usize)> = None;
         for _ in 0..self.candidates {
-            let (distance, index) = self.candidate(goals, effects, &mut goal, stream)?;
-            if from.is_none_or(|(least, _)| counts[index] < least) {
-                from = Some((counts[index], index));
-                best.copy_from_slice(&goal);
-                self.pull(&mut best, distance, index, goals, effects);
-                if counts[index] == 0 {
+            let (squared, index) =
+                uncovered(goals, self.tries, &self.covered, effects, draws, candidate)?;
+            let count = self.counts[index];
+            if best.is_none_or(|(least, ..)| count < least) {
+                best = Some((count, squared.sqrt(), index));
+                goal.copy_from_slice(candidate);
+                if count == 0 {
                     break;
                 }
             }
         }
-        if let Some((count, index)) = from {
-            counts[index] = count.saturating_add(1);
+        if let Some((count, distance, index)) = best {
+            self.counts[index] = count.saturating_add(1);
+            pull(goal, distance, self.reach * self.tau, index, goals, effects);
         }
-        Ok(best)
+        Ok(())
     }
+}
 
-    /// Draws a goal that no effect covers, or else the last of all tries; tells the distance and
-    /// the index of its nearest effect.
-    fn candidate(
-        &self,
-        goals: &Bounds,
-        effects: &NearestNeighbors,
-        goal: &mut [f64],
-        stream: &mut (impl UniformStream + ?Sized),
-    ) -> Result<(f64, usize), Error> {
-        goals.sample_into(goal, stream);
-        let mut found = effects.nearest(goal)?;
-        for _ in 1..self.tries {
-            if found.0 > self.tau {
-                break;
-            }
-            goals.sample_into(goal, stream);
-            found = effects.nearest(goal)?;
+/// Draws a goal that no effect covers, or else the last of all tries; tells the squared distance and
+/// the index of its nearest effect.
+fn uncovered(
+    goals: &Bounds,
+    tries: usize,
+    covered: &Covered,
+    effects: &NearestNeighbors,
+    draws: &mut dyn UniformStream,
+    goal: &mut [f64],
+) -> Result<(f64, usize), Error> {
+    for _ in 1..tries {
+        goals.sample_into(goal, draws);
+        if let Some(found) = covered.nearest_unless_covered(goal, effects)? {
+            return Ok(found);
         }
-        Ok(found)
     }
+    goals.sample_into(goal, draws);
+    effects.nearest_squared(goal)
+}
 
-    /// Moves a goal that is too far from its nearest effect towards it.
-    fn pull(
-        &self,
-        goal: &mut [f64],
-        distance: f64,
-        index: usize,
-        goals: &Bounds,
-        effects: &NearestNeighbors,
-    ) {
-        let wanted = self.reach * self.tau;
-        if distance > wanted {
-            let nearest = &effects.points()[index * goal.len()..][..goal.len()];
-            let corners = goals.low().iter().zip(goals.high());
-            for ((x, y), (&low, &high)) in goal.iter_mut().zip(nearest).zip(corners) {
-                let moved = y + (*x - y) * (wanted / distance);
-                if moved.is_finite() {
-                    *x = moved.max(low).min(high);
-                }
+/// Moves a goal that is farther than `wanted` from its nearest effect towards it.
+fn pull(
+    goal: &mut [f64],
+    distance: f64,
+    wanted: f64,
+    index: usize,
+    goals: &Bounds,
+    effects: &NearestNeighbors,
+) {
+    if distance > wanted {
+        let nearest = &effects.points()[index * goal.len()..][..goal.len()];
+        let corners = goals.low().iter().zip(goals.high());
+        for ((x, y), (&low, &high)) in goal.iter_mut().zip(nearest).zip(corners) {
+            let moved = y + (*x - y) * (wanted / distance);
+            if moved.is_finite() {
+                *x = moved.max(low).min(high);
             }
         }
     }

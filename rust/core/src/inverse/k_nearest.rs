@@ -1,39 +1,56 @@
 //! The weighted mean of the commands of the effects nearest to the goal, perturbed.
 
-use super::Observed;
-use crate::bounds::UniformStream;
+use super::mean::{normalize, perturbed_mean};
+use super::{InverseModel, check_count};
+use crate::bounds::{UniformStream, check_share};
 use crate::error::Error;
+use crate::history::History;
 
-/// A command between those of the `k` effects nearest to `goal`, perturbed.
+/// A command between those of the k effects nearest to the goal - of all where there are fewer -,
+/// perturbed.
 ///
 /// An effect's weight is 1 over its distance; effects that are the goal itself share all of it.
-///
-/// # Errors
-/// If nothing was observed yet, `goal` is not a finite point of the effects' dimension, `k` is 0,
-/// `d` is not in [0, 1], or the sizes do not fit; `stream` is then untouched.
-pub fn k_nearest(
-    goal: &[f64],
+#[derive(Debug, Clone)]
+pub struct KNearest {
     k: usize,
     d: f64,
-    observed: &Observed<'_>,
-    stream: &mut (impl UniformStream + ?Sized),
-) -> Result<Vec<f64>, Error> {
-    let found = observed.neighbours(goal, k)?;
-    let nearest = found.first().map_or(0.0, |&(distance, _)| distance);
-    // As shares of the nearest's weight, which neither overflow nor divide 0 by 0.
-    let weight = |distance: f64| if distance > nearest { nearest / distance } else { 1.0 };
-    let mut weights: Vec<f64> = found.iter().map(|&(distance, _)| weight(distance)).collect();
-    normalize(&mut weights);
-    observed.perturbed_mean(&found, &weights, d, stream)
+    found: Vec<(f64, usize)>,
+    weights: Vec<f64>,
+    mean: Vec<f64>,
 }
 
-/// Makes weights in [0, 1], one of them 1, sum to 1.
-pub(super) fn normalize(weights: &mut [f64]) {
-    let mut total = 0.0;
-    for weight in &*weights {
-        total += weight;
+impl KNearest {
+    /// Of `k` effects, perturbed by up to the share `d` of each motor range.
+    ///
+    /// # Errors
+    /// If `k` is 0, or `d` is not in [0, 1].
+    pub fn new(k: usize, d: f64) -> Result<Self, Error> {
+        check_count("k", k)?;
+        check_share("d", d)?;
+        Ok(Self { k, d, found: Vec::new(), weights: Vec::new(), mean: Vec::new() })
     }
-    for weight in weights {
-        *weight /= total;
+}
+
+impl InverseModel for KNearest {
+    fn command(
+        &mut self,
+        goal: &[f64],
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        command: &mut [f64],
+    ) -> Result<(), Error> {
+        let observed = history.observed()?;
+        observed.check(goal, command)?;
+        let k = self.k.min(observed.effects.len());
+        observed.effects.nearest_k_into(goal, k, &mut self.found)?;
+        let nearest = self.found.first().map_or(0.0, |&(distance, _)| distance);
+        // As shares of the nearest's weight, which neither overflow nor divide 0 by 0.
+        let weight = |distance: f64| if distance > nearest { nearest / distance } else { 1.0 };
+        self.weights.clear();
+        self.weights.extend(self.found.iter().map(|&(distance, _)| weight(distance)));
+        normalize(&mut self.weights);
+        let (found, weights, mean) = (&self.found, &self.weights, &mut self.mean);
+        perturbed_mean(&observed, found, weights, self.d, draws, mean, command);
+        Ok(())
     }
 }

@@ -14,11 +14,11 @@
 //! Cholesky factorisation written out here: its sums have one order, whatever the CPU or the
 //! version of a library.
 
-use smallvec::SmallVec;
-
-use super::Observed;
+use super::{InverseModel, Observed, check_count, check_positive};
 use crate::bounds::{UniformStream, check_share};
 use crate::error::Error;
+use crate::history::History;
+use crate::kdtree::nearer;
 
 /// Squared distances between commands, in shares of the motor ranges, below which they count as
 /// the same: the squares of what is smaller lose digits.
@@ -30,17 +30,41 @@ const DAMPING: f64 = 1e-6;
 /// The least that a pivot of a factorisation may be; the matrices have diagonals of the order of 1.
 const LEAST_PIVOT: f64 = 1e-12;
 
-/// Numbers that fit without an allocation: for 10 neighbours in up to 25 motor coordinates.
-type Numbers = SmallVec<[f64; 256]>;
+/// Coordinates between two looks at whether a command is too far away.
+const AT_ONCE: usize = 8;
 
-/// The model's settings; none depends on the units of commands or effects.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The command of the nearest effect, moved by a step in the model and perturbed.
+///
+/// The step is cut to a root mean square of the reach, a share of the motor ranges, and perturbed
+/// by up to the noise, a share of its own root mean square. Where nothing can be fitted, the command
+/// is perturbed by up to the noise times the reach. No setting depends on the units of commands or
+/// effects.
+#[derive(Debug, Clone)]
 pub struct LocalJacobian {
     k: usize,
     used: usize,
     ridge: f64,
     reach: f64,
     noise: f64,
+    found: Vec<(f64, usize)>,
+    near: Vec<(f64, usize)>,
+    fit: Fit,
+}
+
+/// What a model is computed in, kept from one to the next: matrices row by row.
+#[derive(Debug, Clone, Default)]
+struct Fit {
+    /// 1 over the motor ranges; 0 for a range that is a point, or so narrow that it has no
+    /// reciprocal: it is left alone.
+    shares: Vec<f64>,
+    directions: Vec<f64>,
+    changes: Vec<f64>,
+    gram: Vec<f64>,
+    jacobian: Vec<f64>,
+    squares: Vec<f64>,
+    error: Vec<f64>,
+    /// In shares of the motor ranges, and then the command that it leads to.
+    step: Vec<f64>,
 }
 
 impl LocalJacobian {
@@ -52,116 +76,154 @@ impl LocalJacobian {
     /// If a count is 0, `ridge` is not positive and finite, or `reach` or `noise` are not in
     /// [0, 1].
     pub fn new(k: usize, used: usize, ridge: f64, reach: f64, noise: f64) -> Result<Self, Error> {
-        for (name, got) in [("k", k), ("used", used)] {
-            if got == 0 {
-                return Err(Error::Count { name, must_be: "at least 1".into(), got });
-            }
-        }
-        if !(ridge > 0.0 && ridge.is_finite()) {
-            return Err(Error::Number {
-                name: "ridge",
-                must_be: "positive and finite",
-                got: ridge,
-            });
-        }
+        check_count("k", k)?;
+        check_count("used", used)?;
+        check_positive("ridge", ridge)?;
         check_share("reach", reach)?;
         check_share("noise", noise)?;
-        Ok(Self { k, used, ridge, reach, noise })
+        let (found, near, fit) = (Vec::new(), Vec::new(), Fit::default());
+        Ok(Self { k, used, ridge, reach, noise, found, near, fit })
     }
+}
 
-    /// A command likely to bring the nearest effect nearer to `goal`: one draw a motor coordinate.
-    ///
-    /// The command of the nearest effect, moved by the step - cut to a root mean square of `reach`
-    /// of the motor ranges - and perturbed by up to `noise` of that root mean square. Where nothing
-    /// can be fitted, it is perturbed by up to `noise` of `reach`.
-    ///
-    /// # Errors
-    /// If nothing was observed yet, `goal` is not a finite point of the effects' dimension, or the
-    /// sizes do not fit; `stream` is then untouched.
-    pub fn command(
-        &self,
+impl InverseModel for LocalJacobian {
+    fn command(
+        &mut self,
         goal: &[f64],
-        observed: &Observed<'_>,
-        stream: &mut (impl UniformStream + ?Sized),
-    ) -> Result<Vec<f64>, Error> {
-        let found = observed.neighbours(goal, self.k.saturating_add(1))?;
-        let base = found.first().map_or(0, |&(_, index)| index);
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        command: &mut [f64],
+    ) -> Result<(), Error> {
+        let observed = history.observed()?;
+        observed.check(goal, command)?;
+        let k = self.k.saturating_add(1).min(observed.effects.len());
+        observed.effects.nearest_k_squared(goal, k, &mut self.found)?;
+        let nearest = self.found.iter().copied().min_by(nearer);
+        let base = nearest.map_or(0, |(_, index)| index);
+
         let space = observed.motor_space;
-        let parent = observed.command(base);
-        space.check("parent", parent)?;
-        let step = self.step(goal, base, &found, observed);
-        let length = step.as_ref().map_or(self.reach, |&(_, length)| length);
-        let mut centre: Numbers = SmallVec::from_slice(parent);
-        if let Some((step, _)) = &step {
-            let corners = space.low().iter().zip(space.high());
-            for ((x, share), (&low, &high)) in centre.iter_mut().zip(step).zip(corners) {
-                *x = (*x + share * (high - low)).max(low).min(high);
+        let corners = || space.low().iter().zip(space.high());
+        self.fit.shares.clear();
+        self.fit.shares.extend(corners().map(|(low, high)| {
+            let share = 1.0 / (high - low);
+            if share.is_finite() { share } else { 0.0 }
+        }));
+        self.find_near(base, &observed);
+        let length = self.fit.step(goal, base, &self.near, self.ridge, self.reach, &observed);
+        let (centre, parent) = (&mut self.fit.step, observed.command(base));
+        if length.is_none() {
+            centre.clear();
+            centre.extend_from_slice(parent);
+        } else {
+            for ((x, at), (&low, &high)) in centre.iter_mut().zip(parent).zip(corners()) {
+                *x = (at + *x * (high - low)).max(low).min(high);
             }
         }
-        let mut command = vec![0.0; space.dim()];
-        space.perturb_into(&mut command, &centre, self.noise * length, stream);
-        Ok(command)
+        let d = self.noise * length.unwrap_or(self.reach);
+        space.perturb_into(command, centre, d, draws);
+        Ok(())
     }
+}
 
-    /// The step, in shares of the motor ranges, and its root mean square over those that are not
-    /// points; None where no direction towards the goal can be told.
+impl LocalJacobian {
+    /// Finds, among the effects found but `base`, the `used` whose commands are nearest to its own
+    /// but not the same: squared distances in shares of the motor ranges, and indices, at the same
+    /// distance the earliest first.
+    fn find_near(&mut self, base: usize, observed: &Observed<'_>) {
+        let parent = observed.command(base);
+        let m = parent.len();
+        self.near.clear();
+        for &(_, index) in &self.found {
+            if index == base {
+                continue;
+            }
+            let is_full = self.near.len() == self.used;
+            let last = self.near.last().copied().filter(|_| is_full);
+            let farthest = last.map_or(f64::INFINITY, |(squared, _)| squared);
+            let (command, shares) = (observed.command(index), &self.fit.shares);
+            let mut squared = 0.0;
+            for from in (0..m).step_by(AT_ONCE) {
+                for j in from..m.min(from + AT_ONCE) {
+                    let along = (command[j] - parent[j]) * shares[j];
+                    squared += along * along;
+                }
+                if squared > farthest {
+                    break;
+                }
+            }
+            let each = (squared, index);
+            if squared >= SAME && last.is_none_or(|last| nearer(&each, &last).is_lt()) {
+                if is_full {
+                    self.near.pop();
+                }
+                let place = self.near.partition_point(|other| nearer(other, &each).is_lt());
+                self.near.insert(place, each);
+            }
+        }
+    }
+}
+
+impl Fit {
+    /// Computes the step, in shares of the motor ranges; returns its root mean square over those
+    /// that are not points, or None where no direction towards the goal can be told.
     fn step(
-        &self,
+        &mut self,
         goal: &[f64],
         base: usize,
-        found: &[(f64, usize)],
+        near: &[(f64, usize)],
+        ridge: f64,
+        reach: f64,
         observed: &Observed<'_>,
-    ) -> Option<(Numbers, f64)> {
-        let (s, m) = (goal.len(), observed.motor_space.dim());
-        let corners = observed.motor_space.low().iter().zip(observed.motor_space.high());
-        // A range that is a point, or so narrow that it has no reciprocal, is left alone.
-        let shares: Numbers = corners
-            .map(|(low, high)| 1.0 / (high - low))
-            .map(|share| if share.is_finite() { share } else { 0.0 })
-            .collect();
-        let free = shares.iter().filter(|share| **share > 0.0).count();
+    ) -> Option<f64> {
+        let (s, m) = (goal.len(), self.shares.len());
+        let free = self.shares.iter().filter(|share| **share > 0.0).count();
         let effect = |index: usize| &observed.effects.points()[index * s..][..s];
-
         let (parent, origin) = (observed.command(base), effect(base));
-        let near = self.nearest_commands(parent, &shares, found, observed);
         let (h, nearest) = (near.len(), near.first()?.0);
+        let Self { shares, directions, changes, gram, jacobian, squares, error, step } = self;
 
-        let mut directions = Numbers::new();
-        let mut changes = Numbers::new();
-        for &(squared, index) in &near {
+        directions.clear();
+        changes.clear();
+        for &(squared, index) in near {
             let distance = squared.sqrt();
-            let along = observed.command(index).iter().zip(parent).zip(&shares);
+            let along = observed.command(index).iter().zip(parent).zip(&*shares);
             directions.extend(along.map(|((x, at), share)| (x - at) * share / distance));
             changes.extend(effect(index).iter().zip(origin).map(|(y, at)| y - at));
         }
-        let mut error: Numbers = goal.iter().zip(origin).map(|(g, at)| g - at).collect();
-        let far = to_unit(&mut error)?;
+        error.clear();
+        error.extend(goal.iter().zip(origin).map(|(g, at)| g - at));
+        step.clear();
+        step.resize(m, 0.0);
+        let far = to_unit(error)?;
         if far == 0.0 {
-            return Some((SmallVec::from_elem(0.0, m), 0.0));
+            return Some(0.0);
         }
         // In units of their own, so that no unit of the effects is too large or too small.
-        let spread = to_unit(&mut changes)?;
-        for (change, &(squared, _)) in changes.chunks_exact_mut(s).zip(&near) {
+        let spread = to_unit(changes)?;
+        for (change, &(squared, _)) in changes.chunks_exact_mut(s).zip(near) {
             let distance = squared.sqrt();
             change.iter_mut().for_each(|y| *y /= distance);
         }
 
-        let mut gram: Numbers = SmallVec::from_elem(0.0, h * h);
+        gram.clear();
+        gram.resize(h * h, 0.0);
         for (a, row) in directions.chunks_exact(m).enumerate() {
             for (b, other) in directions.chunks_exact(m).enumerate().take(a + 1) {
                 gram[a * h + b] = dot(row, other);
             }
-            gram[a * h + a] += self.ridge * (near[a].0 / nearest);
+            gram[a * h + a] += ridge * (near[a].0 / nearest);
         }
-        solve(&mut gram, h, &mut changes, s);
-        let mut jacobian: Numbers = SmallVec::from_elem(0.0, s * m);
+        solve(gram, h, changes, s);
+        jacobian.clear();
+        jacobian.resize(s * m, 0.0);
         for (row, weights) in directions.chunks_exact(m).zip(changes.chunks_exact(s)) {
             for (slopes, weight) in jacobian.chunks_exact_mut(m).zip(weights) {
                 slopes.iter_mut().zip(row).for_each(|(slope, u)| *slope += weight * u);
             }
         }
 
-        let mut squares: Numbers = SmallVec::from_elem(0.0, s * s);
+        squares.clear();
+        squares.resize(s * s, 0.0);
         let mut trace = 0.0;
         for (a, row) in jacobian.chunks_exact(m).enumerate() {
             for (b, other) in jacobian.chunks_exact(m).enumerate().take(a + 1) {
@@ -176,54 +238,21 @@ impl LocalJacobian {
         for a in 0..s {
             squares[a * s + a] += DAMPING;
         }
-        solve(&mut squares, s, &mut error, 1);
-        let mut step: Numbers = SmallVec::from_elem(0.0, m);
-        for (slopes, z) in jacobian.chunks_exact(m).zip(&error) {
+        solve(squares, s, error, 1);
+        for (slopes, z) in jacobian.chunks_exact(m).zip(&*error) {
             let z = z / trace;
             step.iter_mut().zip(slopes).for_each(|(x, slope)| *x += slope * z);
         }
 
-        let size = (dot(&step, &step) / free as f64).sqrt();
+        let size = (dot(step, step) / free as f64).sqrt();
         if !(size > f64::MIN_POSITIVE && size.is_finite()) {
             return None;
         }
         let length = size * (far / spread);
-        let (factor, length) = if length > self.reach {
-            (self.reach / size, self.reach)
-        } else {
-            (far / spread, length)
-        };
+        let (factor, length) =
+            if length > reach { (reach / size, reach) } else { (far / spread, length) };
         step.iter_mut().for_each(|x| *x *= factor);
-        Some((step, length))
-    }
-
-    /// The squared distances and indices of the `used` commands nearest to `parent` but not the
-    /// same, in shares of the motor ranges; at the same distance the earliest first.
-    fn nearest_commands(
-        &self,
-        parent: &[f64],
-        shares: &[f64],
-        found: &[(f64, usize)],
-        observed: &Observed<'_>,
-    ) -> SmallVec<[(f64, usize); 64]> {
-        let mut near = SmallVec::new();
-        for &(_, index) in found.iter().skip(1) {
-            let mut squared = 0.0;
-            for ((x, at), share) in observed.command(index).iter().zip(parent).zip(shares) {
-                let along = (x - at) * share;
-                squared += along * along;
-            }
-            if squared >= SAME {
-                near.push((squared, index));
-            }
-        }
-        let order = |a: &(f64, usize), b: &(f64, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
-        if near.len() > self.used {
-            near.select_nth_unstable_by(self.used, order);
-            near.truncate(self.used);
-        }
-        near.sort_unstable_by(order);
-        near
+        Some(length)
     }
 }
 

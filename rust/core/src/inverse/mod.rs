@@ -1,32 +1,48 @@
 //! Inverse models: from a goal to a command likely to bring about an effect near it.
 //!
 //! Each turns what was observed - effects, and the commands that produced them - into one command
-//! inside the motor space, and then perturbs it by up to the share `d` of each motor range: one
-//! draw a motor coordinate, in order.
+//! inside the motor space, and then perturbs it: one draw a motor coordinate, in order.
 //!
-//! - [`inverse()`](inverse()): the command of the nearest effect, as in the paper;
-//! - [`k_nearest`]: the weighted mean of the commands of the nearest effects;
-//! - [`local_regression`]: the linear map from effects to commands around the goal;
-//! - [`LocalJacobian`]: a short step in a linear map from commands to effects around one command;
-//! - [`babble`]: goals and their commands, many at once.
+//! - [`Nearest`]: the command of the nearest effect, as in the paper;
+//! - [`KNearest`]: the weighted mean of the commands of the nearest effects;
+//! - [`LocalRegression`]: the linear map from effects to commands around the goal;
+//! - [`LocalJacobian`]: a short step in a linear map from commands to effects around one command.
 
-mod babble;
 mod k_nearest;
 mod local_jacobian;
 mod local_regression;
+mod mean;
 mod nearest;
 
-pub use babble::babble;
-pub use k_nearest::k_nearest;
+use std::fmt;
+
+pub use k_nearest::KNearest;
 pub use local_jacobian::LocalJacobian;
-pub use local_regression::local_regression;
-pub use nearest::inverse;
+pub use local_regression::LocalRegression;
+pub use nearest::Nearest;
 
 use crate::bounds::{Bounds, UniformStream};
 use crate::error::{Error, check_finite, check_length};
+use crate::history::History;
 use crate::kdtree::NearestNeighbors;
 
-/// What was observed, as far as the inverse models look at it.
+/// What turns goals into commands.
+pub trait InverseModel: fmt::Debug + Send + Sync {
+    /// Writes a command, a point of the motor space, likely to bring about an effect near `goal`.
+    ///
+    /// # Errors
+    /// If nothing was observed yet, the commands are not kept, `goal` is not a finite point of the
+    /// effects' dimension, or `command` has not the dimension of M; nothing is drawn then.
+    fn command(
+        &mut self,
+        goal: &[f64],
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        command: &mut [f64],
+    ) -> Result<(), Error>;
+}
+
+/// What was observed: at least one effect.
 #[derive(Debug, Clone, Copy)]
 pub struct Observed<'a> {
     /// The effects.
@@ -44,49 +60,27 @@ impl Observed<'_> {
         self.commands.get(index * m..(index + 1) * m).unwrap_or_default()
     }
 
-    /// The distances and indices of the effects nearest to `goal`: `k`, or all if there are fewer.
-    ///
-    /// # Errors
-    /// If `k` is 0, the sizes do not fit, nothing was observed, or `goal` is no finite point.
-    fn neighbours(&self, goal: &[f64], k: usize) -> Result<Vec<(f64, usize)>, Error> {
+    /// Checks that a command for `goal` can be made of this.
+    fn check(&self, goal: &[f64], command: &[f64]) -> Result<(), Error> {
         check_length("goal", goal, self.effects.dim())?;
         check_finite("goal", goal, goal.len())?;
-        check_length("commands", self.commands, self.effects.len() * self.motor_space.dim())?;
-        if k == 0 {
-            return Err(Error::Count { name: "k", must_be: "at least 1".into(), got: k });
-        }
-        if self.effects.is_empty() {
-            return Err(Error::Empty { name: "the set of effects" });
-        }
-        self.effects.nearest_k(goal, k.min(self.effects.len()))
+        check_length("command", command, self.motor_space.dim())?;
+        check_length("commands", self.commands, self.effects.len() * self.motor_space.dim())
     }
+}
 
-    /// The sum of the neighbours' commands, each times its weight, brought back into the motor
-    /// space and perturbed.
-    ///
-    /// The weights sum to 1; then the sum is taken around the nearest neighbour's command, which
-    /// comes back exactly where all are the same.
-    fn perturbed_mean(
-        &self,
-        found: &[(f64, usize)],
-        weights: &[f64],
-        d: f64,
-        stream: &mut (impl UniformStream + ?Sized),
-    ) -> Result<Vec<f64>, Error> {
-        let first = self.command(found.first().map_or(0, |&(_, index)| index));
-        let mut mean = first.to_vec();
-        for (&(_, index), weight) in found.iter().zip(weights) {
-            for ((sum, x), at) in mean.iter_mut().zip(self.command(index)).zip(first) {
-                *sum += weight * (x - at);
-            }
-        }
-        if mean.iter().any(|x| !x.is_finite()) {
-            mean.copy_from_slice(first);
-        }
-        let corners = self.motor_space.low().iter().zip(self.motor_space.high());
-        for (x, (&low, &high)) in mean.iter_mut().zip(corners) {
-            *x = x.max(low).min(high);
-        }
-        self.motor_space.perturb(&mean, d, stream)
+/// Checks that `name` counts something.
+fn check_count(name: &'static str, got: usize) -> Result<(), Error> {
+    if got > 0 {
+        return Ok(());
     }
+    Err(Error::Count { name, must_be: "at least 1".into(), got })
+}
+
+/// Checks that `name` is positive and finite.
+fn check_positive(name: &'static str, got: f64) -> Result<(), Error> {
+    if got > 0.0 && got.is_finite() {
+        return Ok(());
+    }
+    Err(Error::Number { name, must_be: "positive and finite", got })
 }

@@ -1,31 +1,40 @@
 //! Inverse_d, the paper's inverse model: the command of the observed effect
 //! nearest to the goal, perturbed.
 
-use crate::bounds::{Bounds, UniformStream};
-use crate::error::{Error, check_finite, check_length};
-use crate::kdtree::NearestNeighbors;
+use super::InverseModel;
+use crate::bounds::{UniformStream, check_share};
+use crate::error::Error;
+use crate::history::History;
 
-/// A command likely to bring about an effect near `goal`.
-///
-/// `effects` holds the observed effects, `commands` the motor commands that produced them,
-/// row by row in the same order.
-///
-/// # Errors
-/// If nothing was observed yet, `goal` is not a finite point of the effects' dimension,
-/// `d` is not in [0, 1], or the sizes do not fit; `stream` is then untouched.
-pub fn inverse(
-    goal: &[f64],
+/// The command of the nearest effect, perturbed by up to the share d of each motor range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
     d: f64,
-    effects: &NearestNeighbors,
-    commands: &[f64],
-    motor_space: &Bounds,
-    stream: &mut (impl UniformStream + ?Sized),
-) -> Result<Vec<f64>, Error> {
-    check_length("goal", goal, effects.dim())?;
-    check_finite("goal", goal, goal.len())?;
-    let m = motor_space.dim();
-    check_length("commands", commands, effects.len() * m)?;
-    let (_, index) = effects.nearest(goal)?;
-    let parent = commands.get(index * m..(index + 1) * m).unwrap_or_default();
-    motor_space.perturb(parent, d, stream)
+}
+
+impl Nearest {
+    /// Perturbed by `d`.
+    ///
+    /// # Errors
+    /// If `d` is not in [0, 1].
+    pub fn new(d: f64) -> Result<Self, Error> {
+        check_share("d", d)?;
+        Ok(Self { d })
+    }
+}
+
+impl InverseModel for Nearest {
+    fn command(
+        &mut self,
+        goal: &[f64],
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        command: &mut [f64],
+    ) -> Result<(), Error> {
+        let observed = history.observed()?;
+        observed.check(goal, command)?;
+        let (_, index) = observed.effects.nearest_squared(goal)?;
+        observed.motor_space.perturb_into(command, observed.command(index), self.d, draws);
+        Ok(())
+    }
 }

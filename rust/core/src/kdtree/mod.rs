@@ -18,6 +18,8 @@
 mod grow;
 mod search;
 
+pub(crate) use search::nearer;
+
 use crate::error::{Error, check_finite, check_length, check_rows, reserve};
 
 /// Points a leaf holds before it splits. With 16, 32, 48 and 64, inserting one of the 10,000

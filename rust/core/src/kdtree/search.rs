@@ -34,6 +34,11 @@ impl PartialOrd for Found {
     }
 }
 
+/// The order of what was found: the nearer, then the earlier first.
+pub(crate) fn nearer(a: &(f64, usize), b: &(f64, usize)) -> Ordering {
+    a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+}
+
 impl NearestNeighbors {
     /// The distance to, and the index of, the point nearest to `query`; the earliest of
     /// several at the same distance.
@@ -41,13 +46,36 @@ impl NearestNeighbors {
     /// # Errors
     /// If there are no points, or `query` is not `dim` finite numbers.
     pub fn nearest(&self, query: &[f64]) -> Result<(f64, usize), Error> {
+        let (squared, index) = self.nearest_squared(query)?;
+        Ok((squared.sqrt(), index))
+    }
+
+    /// What [`nearest`](Self::nearest) finds, with the square of the distance.
+    pub(crate) fn nearest_squared(&self, query: &[f64]) -> Result<(f64, usize), Error> {
         self.check_query(query)?;
         let mut best = Found { squared: f64::INFINITY, index: u32::MAX };
         self.search(query, best, |found| {
             best = best.min(found);
             best
         });
-        Ok((best.squared.sqrt(), best.index as usize))
+        Ok((best.squared, best.index as usize))
+    }
+
+    /// The squared distance and the index of the nearest point - or of any whose squared distance is
+    /// at most `enough`, where there is one: the search then ends there.
+    pub(crate) fn nearest_or_within(
+        &self,
+        query: &[f64],
+        enough: f64,
+    ) -> Result<(f64, usize), Error> {
+        const END: Found = Found { squared: f64::NEG_INFINITY, index: 0 };
+        self.check_query(query)?;
+        let mut best = Found { squared: f64::INFINITY, index: u32::MAX };
+        self.search(query, best, |found| {
+            best = found;
+            if found.squared <= enough { END } else { found }
+        });
+        Ok((best.squared, best.index as usize))
     }
 
     /// The `k` nearest points, nearest first and, at the same distance, earliest first.
@@ -55,6 +83,36 @@ impl NearestNeighbors {
     /// # Errors
     /// If `k` is 0 or more than there are points, or `query` is not `dim` finite numbers.
     pub fn nearest_k(&self, query: &[f64], k: usize) -> Result<Vec<(f64, usize)>, Error> {
+        let mut found = Vec::new();
+        self.nearest_k_into(query, k, &mut found)?;
+        Ok(found)
+    }
+
+    /// Writes what [`nearest_k`](Self::nearest_k) returns over what `found` held.
+    ///
+    /// # Errors
+    /// As [`nearest_k`](Self::nearest_k).
+    pub fn nearest_k_into(
+        &self,
+        query: &[f64],
+        k: usize,
+        found: &mut Vec<(f64, usize)>,
+    ) -> Result<(), Error> {
+        self.nearest_k_squared(query, k, found)?;
+        found.sort_unstable_by(nearer);
+        for (distance, _) in found {
+            *distance = distance.sqrt();
+        }
+        Ok(())
+    }
+
+    /// Writes the squared distances and the indices of the `k` nearest points, in no order.
+    pub(crate) fn nearest_k_squared(
+        &self,
+        query: &[f64],
+        k: usize,
+        found: &mut Vec<(f64, usize)>,
+    ) -> Result<(), Error> {
         self.check_query(query)?;
         if k == 0 || k > self.len() {
             return Err(Error::Count {
@@ -66,20 +124,23 @@ impl NearestNeighbors {
         // The nearest so far, in no order, and some more: now and then the farthest of them are
         // thrown away. For 51 of 10,000 that takes 3.3 us, a heap took 4.0 (bench `towards`).
         let room = k.saturating_add(k / 2).saturating_add(8).min(self.len());
-        let mut found = Vec::with_capacity(room);
+        found.clear();
+        found.reserve(room);
         let mut bound = Found { squared: f64::INFINITY, index: u32::MAX };
         self.search(query, bound, |near| {
-            found.push(near);
+            found.push((near.squared, near.index as usize));
             if found.len() == room && room > k {
-                let (_, farthest, _) = found.select_nth_unstable(k - 1);
-                bound = *farthest;
+                let (_, farthest, _) = found.select_nth_unstable_by(k - 1, nearer);
+                bound = Found { squared: farthest.0, index: farthest.1 as u32 };
                 found.truncate(k);
             }
             bound
         });
-        found.sort_unstable();
-        found.truncate(k);
-        Ok(found.iter().map(|f| (f.squared.sqrt(), f.index as usize)).collect())
+        if found.len() > k {
+            found.select_nth_unstable_by(k - 1, nearer);
+            found.truncate(k);
+        }
+        Ok(())
     }
 
     /// The points no farther than `radius` away, in no particular order.

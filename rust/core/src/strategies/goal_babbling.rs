@@ -1,29 +1,28 @@
-//! GoalBabbling: goals at random, and the inverse model to reach them.
+//! GoalBabbling: a goal is drawn, and an inverse model turns it into a command.
 
 use super::Strategy;
-use crate::bounds::{Bounds, UniformStream, check_share};
-use crate::error::{Error, check_length};
+use crate::bounds::UniformStream;
+use crate::error::Error;
+use crate::goals::GoalSampler;
 use crate::history::History;
+use crate::inverse::InverseModel;
 
-/// A goal uniform in a box, inverted; with nothing observed yet, a command uniform in M.
+/// A goal, inverted; with nothing observed yet, a command uniform in M.
 ///
-/// One draw a coordinate of S, then of M.
-#[derive(Debug, Clone)]
+/// The draws of the goal, then those of the inverse model.
+#[derive(Debug)]
 pub struct GoalBabbling {
-    d: f64,
-    goals: Option<Bounds>,
+    goals: Box<dyn GoalSampler>,
+    inverse: Box<dyn InverseModel>,
+    /// The newest goal; empty where the newest command had none.
     goal: Vec<f64>,
 }
 
 impl GoalBabbling {
-    /// Perturbing by the share `d` of each motor range; goals come from `goals`, or else from the
-    /// sensory space.
-    ///
-    /// # Errors
-    /// If `d` is not in [0, 1].
-    pub fn new(d: f64, goals: Option<Bounds>) -> Result<Self, Error> {
-        check_share("d", d)?;
-        Ok(Self { d, goals, goal: Vec::new() })
+    /// With goals from `goals`, turned into commands by `inverse`.
+    #[must_use]
+    pub fn new(goals: Box<dyn GoalSampler>, inverse: Box<dyn InverseModel>) -> Self {
+        Self { goals, inverse, goal: Vec::new() }
     }
 }
 
@@ -35,15 +34,16 @@ impl Strategy for GoalBabbling {
         command: &mut [f64],
     ) -> Result<(), Error> {
         if history.is_empty() {
+            self.goal.clear();
             history.motor_space().sample_into(command, draws);
             return Ok(());
         }
-        let Some(goals) = self.goals.as_ref().or(history.sensory_space()) else {
-            return Err(Error::Empty { name: "goals" });
-        };
-        self.goal.resize(goals.dim(), 0.0);
-        goals.sample_into(&mut self.goal, draws);
-        history.inverse(&self.goal, self.d, draws, command)
+        self.goals.sample(history, draws, &mut self.goal)?;
+        self.inverse.command(&self.goal, history, draws, command)
+    }
+
+    fn goal(&self) -> Option<&[f64]> {
+        (!self.goal.is_empty()).then_some(&self.goal[..])
     }
 
     fn needs_commands(&self) -> bool {
@@ -51,9 +51,6 @@ impl Strategy for GoalBabbling {
     }
 
     fn check(&self, history: &History) -> Result<(), Error> {
-        match self.goals.as_ref().or(history.sensory_space()) {
-            Some(goals) => check_length("goals", goals.low(), history.effect_dim()),
-            None => Err(Error::Empty { name: "goals" }),
-        }
+        self.goals.check(history.effect_dim(), history.sensory_space())
     }
 }

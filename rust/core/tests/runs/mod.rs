@@ -4,6 +4,8 @@
 
 use divbandit_core::bandits::Adapt;
 use divbandit_core::exploration::Log;
+use divbandit_core::goals::Uniform;
+use divbandit_core::inverse::Nearest;
 use divbandit_core::strategies::{GoalBabbling, Mixture, MotorBabbling};
 use divbandit_core::{Bounds, Composition, Coverage, Error, Exploration, History, PlanarArm};
 
@@ -25,7 +27,8 @@ pub fn history(joints: usize, keep_commands: bool) -> History {
 }
 
 pub fn goal_babbling(d: f64) -> GoalBabbling {
-    GoalBabbling::new(d, None).unwrap()
+    let (goals, inverse) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
+    GoalBabbling::new(Box::new(goals), Box::new(inverse))
 }
 
 pub fn adapt(parts: usize, tau: f64, window: usize) -> Adapt {

@@ -1,0 +1,116 @@
+//! A goal in each cell of a grid before there is a second one in any.
+
+use super::area::Area;
+use super::{GoalSampler, check_count};
+use crate::bounds::{Bounds, UniformStream};
+use crate::error::Error;
+use crate::history::History;
+
+/// The finest grid: its cells are kept one by one.
+const MOST_CELLS: usize = 10_000_000;
+
+/// How many cells a grid has along each coordinate.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Cells {
+    /// The same number along all.
+    Alike(usize),
+    /// One number for each.
+    Each(Vec<usize>),
+}
+
+/// Goals uniform in the cells of a grid, all cells in random order, then all again.
+///
+/// Draws: the cell, then one a coordinate.
+#[derive(Debug, Clone)]
+pub struct Grid {
+    cells: Cells,
+    area: Area,
+    /// The shape of the grid, and its cells that are still to come in this round.
+    shape: Vec<usize>,
+    left: Vec<u32>,
+}
+
+impl Grid {
+    /// Of so many cells, in `goals_box`, or else the sensory space.
+    ///
+    /// # Errors
+    /// If a number of cells is 0, there are none or more than ten million, or they are not of the
+    /// dimension of the box.
+    pub fn new(cells: Cells, goals_box: Option<Bounds>) -> Result<Self, Error> {
+        match &cells {
+            Cells::Alike(count) => check_count("cells", *count)?,
+            Cells::Each(counts) if counts.is_empty() => return Err(Error::Empty { name: "cells" }),
+            Cells::Each(counts) => {
+                counts.iter().try_for_each(|&count| check_count("cells", count))?;
+            }
+        }
+        if let Some(goals) = &goals_box {
+            cells.check(goals.dim())?;
+        }
+        Ok(Self { cells, area: Area::new(goals_box), shape: Vec::new(), left: Vec::new() })
+    }
+}
+
+impl Cells {
+    /// How many there are along each of `dim` coordinates.
+    fn along(&self, dim: usize) -> impl Iterator<Item = usize> {
+        let (alike, each) = match self {
+            Cells::Alike(count) => (Some(*count), &[][..]),
+            Cells::Each(counts) => (None, &counts[..]),
+        };
+        alike.into_iter().cycle().take(dim).chain(each.iter().copied())
+    }
+
+    /// Checks that they fit `dim` coordinates, and are not too many; returns how many they are.
+    fn check(&self, dim: usize) -> Result<usize, Error> {
+        if let Cells::Each(counts) = self
+            && counts.len() != dim
+        {
+            return Err(Error::Length { name: "cells", must_be: dim, got: counts.len() });
+        }
+        let total = self.along(dim).fold(1, usize::saturating_mul);
+        if total > MOST_CELLS {
+            let must_be = format!("at most {MOST_CELLS} altogether");
+            return Err(Error::Count { name: "cells", must_be, got: total });
+        }
+        Ok(total)
+    }
+}
+
+impl GoalSampler for Grid {
+    fn check(
+        &self,
+        effect_dim: Option<usize>,
+        sensory_space: Option<&Bounds>,
+    ) -> Result<(), Error> {
+        let goals = self.area.check(effect_dim, sensory_space)?;
+        self.cells.check(goals.dim()).map(|_| ())
+    }
+
+    fn sample(
+        &mut self,
+        history: &mut History,
+        draws: &mut dyn UniformStream,
+        goal: &mut Vec<f64>,
+    ) -> Result<(), Error> {
+        let goals = self.area.of(history)?;
+        let total = self.cells.check(goals.dim())?;
+        if self.left.is_empty() || self.shape.len() != goals.dim() {
+            self.shape.clear();
+            self.shape.extend(self.cells.along(goals.dim()));
+            self.left.clear();
+            self.left.extend(0..total as u32);
+        }
+        let place = (draws.next() * self.left.len() as f64) as usize;
+        let mut cell = self.left.swap_remove(place) as usize;
+        goal.resize(goals.dim(), 0.0);
+        draws.fill(goal);
+        let corners = goals.low().iter().zip(goals.high());
+        for ((x, &count), (&low, &high)) in goal.iter_mut().zip(&self.shape).zip(corners) {
+            let share = ((cell % count) as f64 + *x) / count as f64;
+            cell /= count;
+            *x = (low + (high - low) * share).min(high);
+        }
+        Ok(())
+    }
+}

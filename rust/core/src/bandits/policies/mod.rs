@@ -59,6 +59,12 @@ pub struct Choice {
 }
 
 impl Choice {
+    /// A part that was chosen with a probability that is not known.
+    #[must_use]
+    pub fn of(part: usize) -> Self {
+        Self { part, probability: None }
+    }
+
     /// A part that was chosen with a known probability. Rounding may have carried it beyond 1.
     fn with(part: usize, probability: f64) -> Self {
         Self { part, probability: Some(probability.min(1.0)) }

@@ -8,7 +8,7 @@ The names below follow the data: environment -> strategy -> effect -> gain -> ba
 exploration -> figure (`plot`, which needs matplotlib only when it draws).
 """
 
-from divbandit import bandits, plot
+from divbandit import bandits, goals, inverse, plot
 from divbandit._core import NearestNeighbors
 from divbandit.bandits import Adapt, Bandit, default_strategies, default_strategy
 from divbandit.box import Box
@@ -48,25 +48,13 @@ from divbandit.measures import (
 )
 from divbandit.strategies import (
     Composite,
-    FrontierGoals,
     GoalBabbling,
-    GoalSampler,
-    GridGoals,
-    InverseModel,
-    KNearest,
-    LocalJacobian,
-    LocalRegression,
     Mixture,
     MotorBabbling,
-    NearestNeighbor,
-    NovelGoals,
     QuasiRandomBabbling,
     Schedule,
     Strategy,
     Trial,
-    UncoveredGoals,
-    UniformGoals,
-    UntriedGoals,
 )
 
 __all__ = [
@@ -84,27 +72,18 @@ __all__ = [
     "Exploration",
     "Explorer",
     "Failure",
-    "FrontierGoals",
     "FunctionController",
     "FunctionEnvironment",
     "GoalBabbling",
-    "GoalSampler",
     "GridCoverage",
-    "GridGoals",
     "GymnasiumEnvironment",
     "History",
-    "InverseModel",
-    "KNearest",
-    "LocalJacobian",
-    "LocalRegression",
     "Loop",
     "Measure",
     "Mixture",
     "MotorBabbling",
     "MovementPrimitives",
-    "NearestNeighbor",
     "NearestNeighbors",
-    "NovelGoals",
     "OpenLoop",
     "PlanarArm",
     "Polygon",
@@ -121,9 +100,6 @@ __all__ = [
     "Trajectories",
     "Trial",
     "Trials",
-    "UncoveredGoals",
-    "UniformGoals",
-    "UntriedGoals",
     "Wall",
     "bandits",
     "coverage",
@@ -131,6 +107,8 @@ __all__ = [
     "default_strategy",
     "explore",
     "explore_many",
+    "goals",
+    "inverse",
     "plot",
     "summarize",
 ]

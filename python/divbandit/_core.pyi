@@ -13,30 +13,25 @@ __all__ = [
     "Coverage",
     "Engine",
     "Estimator",
-    "ExactSum",
+    "GoalSampler",
+    "History",
+    "InverseModel",
     "Measure",
     "NearestNeighbors",
+    "NotBuiltInError",
     "Obstacle",
     "ObstructedArm",
     "PlanarArm",
     "Policy",
     "PushArm",
+    "Reward",
     "as_point",
-    "babble",
     "exp",
-    "frontier_goal",
-    "inverse",
-    "k_nearest",
-    "local_jacobian",
-    "local_regression",
     "log",
     "normal_quantile",
-    "novel_goal",
     "power",
     "powers",
     "proportionally",
-    "uncovered_goal",
-    "untried_goal",
 ]
 
 @final
@@ -158,38 +153,75 @@ class Coverage:
 
 @final
 class Engine:
-    def __new__(cls, motor_space: Bounds, sensory_space: Bounds | None) -> Self: ...
-    def planar_arm(self, arm: PlanarArm) -> tuple[int, int]: ...
-    def push_arm(self, arm: PushArm) -> tuple[int, int]: ...
-    def obstructed_arm(self, arm: ObstructedArm) -> tuple[int, int]: ...
-    def motor_babbling(self) -> int: ...
-    def goal_babbling(self, d: float, goals: Bounds | None) -> int: ...
-    def mixture(self, parts: Sequence[int], weights: Sequence[float]) -> int: ...
-    def schedule(
-        self, parts: Sequence[int], steps: Sequence[int], phase: int, proposed: int
-    ) -> int: ...
-    def adapt(
+    def __new__(cls, strategy: object, history: History) -> Self: ...
+    @property
+    def asked(self) -> int: ...
+    @property
+    def needs_commands(self) -> bool: ...
+    @property
+    def refused(self) -> bool: ...
+    @property
+    def estimates(self) -> tuple[float, ...] | None: ...
+    def ask(
+        self, history: History, rng: Generator
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, tuple[int, ...]]: ...
+    def proposed(
+        self, number: int
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, tuple[int, ...]]: ...
+    def tell(self, number: int, history: History, effect: ArrayLike) -> None: ...
+    def fail(self, number: int) -> None: ...
+    def run(
         self,
-        parts: Sequence[int],
-        measure: Coverage,
-        window: int,
-        alpha: float,
-        head_start: int,
-        power: float,
-    ) -> int: ...
-    def explore(
-        self,
-        strategy: int,
+        environment: object,
+        history: History,
         n: int,
         rng: Generator,
-        keep_commands: bool,
         between: Callable[[], object] | None,
-    ) -> tuple[
-        NDArray[np.float64] | None,
-        NDArray[np.float64],
-        NDArray[np.int64],
-        NDArray[np.float64] | None,
-    ]: ...
+    ) -> None: ...
+
+class NotBuiltInError(ValueError): ...
+
+@final
+class History:
+    def __new__(
+        cls,
+        motor_space: Bounds,
+        sensory_space: Bounds | None,
+        keeps_commands: bool = True,
+        width: int = 0,
+    ) -> Self: ...
+    @property
+    def effect_dim(self) -> int | None: ...
+    def record(
+        self,
+        command: ArrayLike,
+        effect: ArrayLike,
+        path: Sequence[int],
+        estimates: Sequence[float] | None,
+    ) -> None: ...
+    def checked(
+        self, commands: ArrayLike, effects: ArrayLike
+    ) -> tuple[tuple[NDArray[np.float64], NDArray[np.float64]], int | None]: ...
+    def extend(self, points: tuple[NDArray[np.float64], NDArray[np.float64]]) -> None: ...
+    def nearest(self, goal: ArrayLike, k: int) -> tuple[Any, Any]: ...
+    def commands_from(self, first: int) -> NDArray[np.float64]: ...
+    def effects_from(self, first: int) -> NDArray[np.float64]: ...
+    def paths_from(self, first: int) -> list[tuple[int, ...]]: ...
+    def arrays(self, keep_commands: bool) -> _Arrays: ...
+    def take(self, keep_commands: bool) -> _Arrays: ...
+    def __len__(self) -> int: ...
+
+_Arrays = tuple[
+    NDArray[np.float64] | None,
+    NDArray[np.float64],
+    NDArray[np.int64],
+    NDArray[np.float64] | None,
+]
+
+@final
+class Reward:
+    def __new__(cls, value: object, dim: int) -> Self: ...
+    def of(self, trial: object, effect: object, history: object) -> float: ...
 
 @final
 class Estimator:
@@ -215,6 +247,8 @@ class Policy:
     def __new__(cls, value: object, parts: int, largest: float) -> Self: ...
     def choose(self, estimates: _Estimates, rng: Generator) -> tuple[int, float | None]: ...
     def learn(self, part: int, reward: float, probability: float | None) -> None: ...
+
+@final
 class Measure:
     def __new__(cls, value: object, dim: int) -> Self: ...
     @property
@@ -229,12 +263,16 @@ class Measure:
     def __len__(self) -> int: ...
 
 @final
-class ExactSum:
-    def __new__(cls, numbers: Sequence[float]) -> Self: ...
-    def add(self, number: float) -> None: ...
-    def slide(self, number: float, old: float) -> None: ...
-    def subtract(self, old: float) -> None: ...
-    def value(self) -> float: ...
+class GoalSampler:
+    def __new__(cls, value: object) -> Self: ...
+    def sample(self, history: object, rng: Generator) -> NDArray[np.float64]: ...
+
+@final
+class InverseModel:
+    def __new__(cls, value: object) -> Self: ...
+    def command(
+        self, goal: ArrayLike, history: object, rng: Generator
+    ) -> NDArray[np.float64]: ...
 
 def exp(x: float) -> float: ...
 def log(x: float) -> float: ...
@@ -242,77 +280,4 @@ def power(base: float, exponent: float) -> float: ...
 def normal_quantile(p: float) -> float: ...
 def powers(means: Sequence[float], power: float) -> list[float]: ...
 def proportionally(weights: Sequence[float], u: float) -> int: ...
-def inverse(
-    goal: ArrayLike,
-    d: float,
-    effects: NearestNeighbors,
-    commands: ArrayLike,
-    motor_space: Bounds,
-    rng: Generator,
-) -> NDArray[np.float64]: ...
 def as_point(name: str, value: ArrayLike, length: int | None = None) -> NDArray[np.float64]: ...
-def k_nearest(
-    goal: ArrayLike,
-    k: int,
-    d: float,
-    effects: NearestNeighbors,
-    commands: ArrayLike,
-    motor_space: Bounds,
-    rng: Generator,
-) -> NDArray[np.float64]: ...
-def local_regression(
-    goal: ArrayLike,
-    k: int,
-    ridge: float,
-    reach: float,
-    d: float,
-    effects: NearestNeighbors,
-    commands: ArrayLike,
-    motor_space: Bounds,
-    rng: Generator,
-) -> NDArray[np.float64]: ...
-def local_jacobian(
-    goal: ArrayLike,
-    k: int,
-    used: int,
-    ridge: float,
-    reach: float,
-    noise: float,
-    effects: NearestNeighbors,
-    commands: ArrayLike,
-    motor_space: Bounds,
-    rng: Generator,
-) -> NDArray[np.float64]: ...
-def babble(
-    n: int,
-    goals: Bounds,
-    d: float,
-    effects: NearestNeighbors,
-    commands: ArrayLike,
-    motor_space: Bounds,
-    rng: Generator,
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-def uncovered_goal(
-    goals: Bounds, tau: float, tries: int, effects: NearestNeighbors, rng: Generator
-) -> NDArray[np.float64]: ...
-def frontier_goal(
-    goals: Bounds,
-    tau: float,
-    reach: float,
-    tries: int,
-    effects: NearestNeighbors,
-    rng: Generator,
-) -> NDArray[np.float64]: ...
-def novel_goal(
-    goals: Bounds, candidates: int, effects: NearestNeighbors, rng: Generator
-) -> NDArray[np.float64]: ...
-def untried_goal(
-    goals: Bounds,
-    tau: float,
-    candidates: int,
-    tries: int,
-    reach: float,
-    effects: NearestNeighbors,
-    counts: NDArray[np.uint32],
-    rng: Generator,
-) -> NDArray[np.float64]: ...

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 #: Where the classes of recipes may come from.
-_PACKAGES = ("strategies", "bandits", "measures", "adapters", "box")
+_PACKAGES = ("strategies", "goals", "inverse", "bandits", "measures", "adapters", "box")
 
 
 class NoRecipeError(Exception):

@@ -3,22 +3,6 @@
 from divbandit.strategies.base import Strategy, Trial
 from divbandit.strategies.composite import Composite
 from divbandit.strategies.goal_babbling import GoalBabbling
-from divbandit.strategies.goals import (
-    FrontierGoals,
-    GoalSampler,
-    GridGoals,
-    NovelGoals,
-    UncoveredGoals,
-    UniformGoals,
-    UntriedGoals,
-)
-from divbandit.strategies.inverse import (
-    InverseModel,
-    KNearest,
-    LocalJacobian,
-    LocalRegression,
-    NearestNeighbor,
-)
 from divbandit.strategies.mixture import Mixture
 from divbandit.strategies.motor_babbling import MotorBabbling
 from divbandit.strategies.quasi_random import QuasiRandomBabbling
@@ -26,23 +10,11 @@ from divbandit.strategies.schedule import Schedule
 
 __all__ = [
     "Composite",
-    "FrontierGoals",
     "GoalBabbling",
-    "GoalSampler",
-    "GridGoals",
-    "InverseModel",
-    "KNearest",
-    "LocalJacobian",
-    "LocalRegression",
     "Mixture",
     "MotorBabbling",
-    "NearestNeighbor",
-    "NovelGoals",
     "QuasiRandomBabbling",
     "Schedule",
     "Strategy",
     "Trial",
-    "UncoveredGoals",
-    "UniformGoals",
-    "UntriedGoals",
 ]

@@ -10,8 +10,8 @@ from divbandit.bandits import Adapt, default_strategy
 from divbandit.paper import setting
 from divbandit.plot import ranking, style
 from divbandit.strategies import GoalBabbling, MotorBabbling
-from divbandit.strategies.goals import UncoveredGoals, UntriedGoals
-from divbandit.strategies.inverse import LocalJacobian, NearestNeighbor
+from divbandit.goals import UncoveredGoals, UntriedGoals
+from divbandit.inverse import LocalJacobian, Nearest
 from divbandit.studies.cases import Case, Outcome, outcomes
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from divbandit.experiments.explore_many import Progress
     from divbandit.strategies import Strategy
-    from divbandit.strategies.goals import GoalSampler
+    from divbandit.goals import GoalSampler
     from divbandit.strategies.inverse import InverseModel
 
 NAME = "composition"
@@ -67,12 +67,12 @@ def compositions() -> dict[str, Strategy]:
         "4 candidates": _bandit(four, model),
         "no counts of tries": _bandit(UncoveredGoals(tau), model),
         "goals anywhere": _bandit(None, model),
-        "nearest neighbour": _bandit(goals, NearestNeighbor(_D)),
+        "nearest neighbour": _bandit(goals, Nearest(_D)),
         "no motor babbling": GoalBabbling(goals=goals, inverse=model),
         "ADAPT's window, alpha, power": Adapt(
             [MotorBabbling(), GoalBabbling(goals=goals, inverse=model)], tau=tau
         ),
-        "ADAPT's goals and inverse": _bandit(None, NearestNeighbor(_D)),
+        "ADAPT's goals and inverse": _bandit(None, Nearest(_D)),
     }
 
 

@@ -1,127 +1,127 @@
-//! Bindings of the searches for goals.
+//! Bindings of the goal samplers.
 
-use divbandit_core::goals::{self as searches, Untried};
-use numpy::{PyArray1, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
+use divbandit_core::goals::{
+    Cells, Frontier, GoalSampler, Grid, Novel, Uncovered, Uniform, Untried,
+};
+use divbandit_core::{Bounds, Error};
+use numpy::PyArray1;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::arrays::{count, number, read_only};
+use crate::arrays::read_only;
 use crate::bounds::PyBounds;
 use crate::errors::value_error;
-use crate::kdtree::PyNearestNeighbors;
+use crate::history::log_of;
+use crate::parts::{class_of, field};
 use crate::random::NumpyStream;
 
-/// A goal farther than `tau` from every effect: the first of at most `tries`, or else the last.
+/// What draws the goals that a sampler of the library describes; None for a sampler of a user's.
+pub(crate) fn goals_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn GoalSampler>>> {
+    let Some(class) = class_of(part)? else { return Ok(None) };
+    let count = |name: &str| field::<usize>(part, name);
+    let number = |name: &str| field::<f64>(part, name);
+    let boxed = || box_of(part);
+    Ok(Some(match &class[..] {
+        "UniformGoals" => ready(Uniform::new(boxed()?))?,
+        "GridGoals" => ready(Grid::new(cells_of(part)?, boxed()?))?,
+        "UncoveredGoals" => ready(Uncovered::new(number("tau")?, count("tries")?, boxed()?))?,
+        "FrontierGoals" => {
+            ready(Frontier::new(number("tau")?, number("reach")?, count("tries")?, boxed()?))?
+        }
+        "NovelGoals" => ready(Novel::new(count("candidates")?, boxed()?))?,
+        "UntriedGoals" => ready(Untried::new(
+            number("tau")?,
+            count("candidates")?,
+            count("tries")?,
+            number("reach")?,
+            boxed()?,
+        ))?,
+        _ => return Ok(None),
+    }))
+}
+
+/// A sampler, or what its settings are refused for.
+fn ready(
+    sampler: Result<impl GoalSampler + 'static, Error>,
+) -> PyResult<Box<dyn GoalSampler>> {
+    Ok(Box::new(sampler.map_err(value_error)?))
+}
+
+/// The box of a sampler, if it has one.
+fn box_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Bounds>> {
+    let goals = part.getattr("box")?;
+    if goals.is_none() {
+        return Ok(None);
+    }
+    let bounds = goals.getattr("bounds")?;
+    Ok(Some(bounds.cast::<PyBounds>()?.get().0.clone()))
+}
+
+/// The cells of a grid: a number of them, or one for each coordinate.
+fn cells_of(part: &Bound<'_, PyAny>) -> PyResult<Cells> {
+    let cells = part.getattr("cells")?;
+    match cells.extract::<usize>() {
+        Ok(count) => Ok(Cells::Alike(count)),
+        Err(_) => Ok(Cells::Each(cells.extract()?)),
+    }
+}
+
+/// A goal sampler at work, for one exploration.
+///
+/// Parameters
+/// ----------
+/// value : UniformGoals, GridGoals, UncoveredGoals, FrontierGoals, NovelGoals or UntriedGoals
 ///
 /// Examples
 /// --------
 /// >>> import numpy as np
-/// >>> from divbandit._core import Bounds, NearestNeighbors, uncovered_goal
-/// >>> effects = NearestNeighbors(1)
-/// >>> effects.add([0.6])
-/// >>> uncovered_goal(Bounds([0], [1]), 0.1, 5, effects, np.random.default_rng(0))
+/// >>> import divbandit as db
+/// >>> from divbandit._core import GoalSampler
+/// >>> history = db.History(db.Box([0], [1]), db.Box([0], [1]))
+/// >>> history.append([0.5], [0.6])
+/// >>> goals = GoalSampler(db.goals.UncoveredGoals(0.1))
+/// >>> goals.sample(history, np.random.default_rng(0))
 /// array([0.26978671])
-#[pyfunction]
-pub(crate) fn uncovered_goal<'py>(
-    goals: &Bound<'py, PyBounds>,
-    tau: &Bound<'py, PyAny>,
-    tries: &Bound<'py, PyAny>,
-    effects: PyRef<'py, PyNearestNeighbors>,
-    rng: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let (tau, tries) = (number("tau", tau)?, count("tries", tries)?);
-    let mut stream = NumpyStream::lock(rng)?;
-    let goal = searches::uncovered(&goals.get().0, tau, tries, &effects.0, &mut stream)
-        .map_err(value_error)?;
-    read_only(rng.py(), &goal)
+#[pyclass(module = "divbandit._core", name = "GoalSampler")]
+pub(crate) struct PyGoalSampler {
+    class: String,
+    sampler: Box<dyn GoalSampler>,
+    goal: Vec<f64>,
 }
 
-/// A goal that no effect covers, moved to between `tau` and `reach` times `tau` from the nearest.
-///
-/// Examples
-/// --------
-/// >>> import numpy as np
-/// >>> from divbandit._core import Bounds, NearestNeighbors, frontier_goal
-/// >>> effects = NearestNeighbors(1)
-/// >>> effects.add([0.0])
-/// >>> frontier_goal(Bounds([0], [1]), 0.1, 3.0, 5, effects, np.random.default_rng(0))
-/// array([0.28255112])
-#[pyfunction]
-pub(crate) fn frontier_goal<'py>(
-    goals: &Bound<'py, PyBounds>,
-    tau: &Bound<'py, PyAny>,
-    reach: &Bound<'py, PyAny>,
-    tries: &Bound<'py, PyAny>,
-    effects: PyRef<'py, PyNearestNeighbors>,
-    rng: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let (tau, reach, tries) =
-        (number("tau", tau)?, number("reach", reach)?, count("tries", tries)?);
-    let mut stream = NumpyStream::lock(rng)?;
-    let goal = searches::frontier(&goals.get().0, tau, reach, tries, &effects.0, &mut stream)
-        .map_err(value_error)?;
-    read_only(rng.py(), &goal)
-}
+#[pymethods]
+impl PyGoalSampler {
+    #[new]
+    fn new(value: &Bound<'_, PyAny>) -> PyResult<Self> {
+        match goals_of(value)? {
+            Some(sampler) => {
+                let class = class_of(value)?.unwrap_or_default();
+                Ok(Self { class, sampler, goal: Vec::new() })
+            }
+            None => Err(PyTypeError::new_err(format!(
+                "value must be a goal sampler of the library, got {}",
+                value.get_type().name()?
+            ))),
+        }
+    }
 
-/// Of `candidates` goals the one whose nearest effect is farthest away.
-///
-/// Examples
-/// --------
-/// >>> import numpy as np
-/// >>> from divbandit._core import Bounds, NearestNeighbors, novel_goal
-/// >>> effects = NearestNeighbors(1)
-/// >>> effects.add([0.6])
-/// >>> novel_goal(Bounds([0], [1]), 3, effects, np.random.default_rng(0))
-/// array([0.04097352])
-#[pyfunction]
-pub(crate) fn novel_goal<'py>(
-    goals: &Bound<'py, PyBounds>,
-    candidates: &Bound<'py, PyAny>,
-    effects: PyRef<'py, PyNearestNeighbors>,
-    rng: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let candidates = count("candidates", candidates)?;
-    let mut stream = NumpyStream::lock(rng)?;
-    let goal = searches::novel(&goals.get().0, candidates, &effects.0, &mut stream)
-        .map_err(value_error)?;
-    read_only(rng.py(), &goal)
-}
-
-/// Of up to `candidates` goals that no effect covers the one whose nearest effect has the least of
-/// `counts`, which is raised by 1.
-///
-/// Examples
-/// --------
-/// >>> import numpy as np
-/// >>> from divbandit._core import Bounds, NearestNeighbors, untried_goal
-/// >>> effects = NearestNeighbors(1)
-/// >>> effects.extend([[0.0], [1.0]])
-/// >>> counts, rng = np.array([1, 0], dtype=np.uint32), np.random.default_rng(0)
-/// >>> untried_goal(Bounds([0], [1]), 0.1, 5, 20, 2.0, effects, counts, rng)
-/// array([0.8])
-/// >>> counts
-/// array([1, 1], dtype=uint32)
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "options by keyword are Python's, not the kernel's")]
-pub(crate) fn untried_goal<'py>(
-    goals: &Bound<'py, PyBounds>,
-    tau: &Bound<'py, PyAny>,
-    candidates: &Bound<'py, PyAny>,
-    tries: &Bound<'py, PyAny>,
-    reach: &Bound<'py, PyAny>,
-    effects: PyRef<'py, PyNearestNeighbors>,
-    counts: &Bound<'py, PyArray1<u32>>,
-    rng: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let (tau, reach) = (number("tau", tau)?, number("reach", reach)?);
-    let (candidates, tries) = (count("candidates", candidates)?, count("tries", tries)?);
-    let search = Untried::new(tau, candidates, tries, reach).map_err(value_error)?;
-    let mut counts = counts
-        .try_readwrite()
-        .map_err(|error| PyValueError::new_err(format!("counts cannot be written to: {error}")))?;
-    let mut stream = NumpyStream::lock(rng)?;
-    let goal = search
-        .sample(&goals.get().0, &effects.0, counts.as_slice_mut()?, &mut stream)
-        .map_err(value_error)?;
-    read_only(rng.py(), &goal)
+    /// Draw a goal; with nothing observed yet, from the box alone.
+    fn sample<'py>(
+        &mut self,
+        history: &Bound<'py, PyAny>,
+        rng: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let mut log = log_of(history)?;
+        let mut stream = NumpyStream::lock(rng)?;
+        self.sampler.sample(&mut log.0, &mut stream, &mut self.goal).map_err(|error| {
+            match error {
+                Error::Empty { name: "goals" } => PyValueError::new_err(format!(
+                    "goals must be given a box ({}(box=...)): there is no sensory space",
+                    self.class
+                )),
+                other => value_error(other),
+            }
+        })?;
+        read_only(rng.py(), &self.goal)
+    }
 }

@@ -5,6 +5,7 @@ use divbandit_core::error::check_finite;
 use divbandit_core::history::Log;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
+use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -192,6 +193,12 @@ impl PyHistory {
             if width > 0 { Some(array(log.estimates, width)?) } else { None },
         ))
     }
+}
+
+/// The log of a `History` of Python, in its attribute `_log`.
+pub(crate) fn log_of<'py>(history: &Bound<'py, PyAny>) -> PyResult<PyRefMut<'py, PyHistory>> {
+    let log = history.getattr(intern!(history.py(), "_log"))?;
+    Ok(log.cast_into::<PyHistory>()?.try_borrow_mut()?)
 }
 
 /// Rows of `width` numbers from row `first` on, copied.

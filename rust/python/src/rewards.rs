@@ -2,11 +2,12 @@
 
 use divbandit_core::bandits::rewards::{Reward, RewardKind};
 use pyo3::exceptions::PyTypeError;
+use pyo3::intern;
 use pyo3::prelude::*;
 
 use crate::arrays::Floats;
 use crate::errors::value_error;
-use crate::history::PyHistory;
+use crate::history::log_of;
 use crate::measures::measure_of;
 use crate::parts::class_of;
 
@@ -23,11 +24,12 @@ pub(crate) fn reward_of(part: &Bound<'_, PyAny>) -> PyResult<Option<RewardKind>>
 ///
 /// Examples
 /// --------
-/// >>> from divbandit import bandits, measures
-/// >>> from divbandit._core import Bounds, History, Reward
-/// >>> history = History(Bounds([-1], [1]), None)
-/// >>> history.record([0.5], [1.0, 2.0], (), None)
-/// >>> Reward(bandits.Gain(measures.GridCoverage(0.1)), 2).newest(history, None)
+/// >>> import divbandit as db
+/// >>> from divbandit._core import Reward
+/// >>> history = db.History(db.Box([-1], [1]))
+/// >>> history.append([0.5], [1.0, 2.0])
+/// >>> gain = Reward(db.bandits.Gain(db.measures.GridCoverage(0.1)), 2)
+/// >>> gain.of(db.Trial([0.5]), history.effects[0], history)
 /// 1.0
 #[pyclass(module = "divbandit._core", name = "Reward")]
 pub(crate) struct PyReward(Box<dyn Reward>);
@@ -42,15 +44,20 @@ impl PyReward {
         kind.start(dim).map(Self).map_err(value_error)
     }
 
-    /// The reward of the newest effect of the history, whose trial had this goal.
-    #[pyo3(signature = (history, goal))]
-    fn newest(
+    /// The reward of the newest effect of the history, which is that of the trial.
+    fn of(
         &mut self,
-        history: PyRef<'_, PyHistory>,
-        goal: Option<&Bound<'_, PyAny>>,
+        trial: &Bound<'_, PyAny>,
+        effect: &Bound<'_, PyAny>,
+        history: &Bound<'_, PyAny>,
     ) -> PyResult<f64> {
-        let dim = history.0.effect_dim();
-        let goal = goal.map(|goal| Floats::finite_point("goal", goal, dim)).transpose()?;
-        self.0.newest(&history.0, goal.as_deref()).map_err(value_error)
+        let _ = effect;
+        let log = log_of(history)?;
+        let goal = trial.getattr(intern!(trial.py(), "goal"))?;
+        if goal.is_none() {
+            return self.0.newest(&log.0, None).map_err(value_error);
+        }
+        let goal = Floats::finite_point("goal", &goal, log.0.effect_dim())?;
+        self.0.newest(&log.0, Some(&goal)).map_err(value_error)
     }
 }

@@ -17,11 +17,13 @@ class GoalSampler(Protocol):
 
     A sampler may also have a method ``check(effect_dim, *, has_goals)``, called once before an
     exploration begins, that raises a ValueError where it cannot draw goals of that dimension (None
-    if it is not known yet), or needs a sensory space and there is none.
+    if it is not known yet), or needs a sensory space and there is none. And it may have a method
+    ``start(history)`` that returns the sampler to work with in one exploration; without it, each
+    exploration works with a copy.
 
     See Also
     --------
-    UniformGoals, GridGoals, UncoveredGoals, FrontierGoals, NovelGoals
+    UniformGoals, GridGoals, UncoveredGoals, FrontierGoals, NovelGoals, UntriedGoals
 
     Examples
     --------
@@ -31,7 +33,7 @@ class GoalSampler(Protocol):
     >>> class Nearby:
     ...     def sample(self, history, rng):
     ...         return history.effects[-1] + 0.1 * (rng.random(history.effect_dim) - 0.5)
-    >>> isinstance(Nearby(), db.GoalSampler)
+    >>> isinstance(Nearby(), db.goals.GoalSampler)
     True
     >>> run = db.explore(db.PlanarArm(3), db.GoalBabbling(0.05, goals=Nearby()), n=10, rng=0)
     """
@@ -56,6 +58,6 @@ class GoalSampler(Protocol):
         >>> import numpy as np
         >>> import divbandit as db
         >>> history = db.History(db.Box([0], [1]), db.Box([0], [10]))
-        >>> db.UniformGoals().sample(history, np.random.default_rng(0))
+        >>> db.goals.UniformGoals().sample(history, np.random.default_rng(0))
         array([6.36961687])
         """

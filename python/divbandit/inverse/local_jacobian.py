@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
 
-from divbandit import _core
 from divbandit._checks import positive, real, whole
-from divbandit.strategies.inverse.k_nearest import MOST_NEIGHBOURS
+from divbandit.inverse.kernel import MOST_NEIGHBOURS, KernelModel
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.random import Generator
-    from numpy.typing import ArrayLike, NDArray
-
-    from divbandit.history import History
+#: Upper limit on the commands that are fitted: so many equations take a second or so.
+_MOST_USED = 1000
 
 
-class LocalJacobian:
+@dataclass(frozen=True, init=False, repr=False)
+class LocalJacobian(KernelModel):
     """The command of the nearest effect, moved a little towards the goal in a linear model.
 
     The model is of the environment around that command: by how much each effect coordinate changes
@@ -62,10 +58,24 @@ class LocalJacobian:
 
     Examples
     --------
+    >>> import numpy as np
     >>> import divbandit as db
-    >>> babbling = db.GoalBabbling(goals=db.UntriedGoals(0.02), inverse=db.LocalJacobian())
+    >>> history = db.History(db.Box([0], [1]))
+    >>> history.append([0.25], [7.0])
+    >>> history.append([0.5], [9.0])
+    >>> model = db.inverse.LocalJacobian(ridge=1e-9, reach=1.0, noise=0.0)
+    >>> model.command([10.0], history, np.random.default_rng(0)).round(5)
+    array([0.625])
+    >>> goals, model = db.goals.UntriedGoals(0.02), db.inverse.LocalJacobian()
+    >>> babbling = db.GoalBabbling(goals=goals, inverse=model)
     >>> run = db.explore(db.PlanarArm(20), babbling, n=100, rng=0)
     """
+
+    k: int
+    used: int
+    ridge: float
+    reach: float
+    noise: float
 
     def __init__(
         self,
@@ -76,60 +86,10 @@ class LocalJacobian:
         reach: float = 0.015,
         noise: float = 0.3,
     ) -> None:
-        self.k = whole("k", k, low=1, high=MOST_NEIGHBOURS)
-        self.used = whole("used", used, low=1, high=_MOST_USED)
-        self.ridge = positive("ridge", ridge)
-        self.reach = real("reach", reach, low=0.0, high=1.0)
-        self.noise = real("noise", noise, low=0.0, high=1.0)
-
-    def command(self, goal: ArrayLike, history: History, rng: Generator) -> NDArray[np.float64]:
-        """Return a command: one ``rng.random()`` a motor coordinate.
-
-        Parameters
-        ----------
-        goal : array_like, shape (s,)
-        history : History
-        rng : numpy.random.Generator
-
-        Returns
-        -------
-        numpy.ndarray of float64, shape (m,)
-
-        Raises
-        ------
-        TypeError, ValueError
-            If nothing was observed yet, or `goal` is no finite point of the sensory space.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import divbandit as db
-        >>> history = db.History(db.Box([0], [1]))
-        >>> history.append([0.25], [7.0])
-        >>> history.append([0.5], [9.0])
-        >>> model = db.LocalJacobian(ridge=1e-9, reach=1.0, noise=0.0)
-        >>> model.command([10.0], history, np.random.default_rng(0)).round(5)
-        array([0.625])
-        """
-        return _core.local_jacobian(
-            goal,
-            self.k,
-            self.used,
-            self.ridge,
-            self.reach,
-            self.noise,
-            history.tree,
-            history.commands,
-            history.motor_space.bounds,
-            rng,
+        self._set(
+            k=whole("k", k, low=1, high=MOST_NEIGHBOURS),
+            used=whole("used", used, low=1, high=_MOST_USED),
+            ridge=positive("ridge", ridge),
+            reach=real("reach", reach, low=0.0, high=1.0),
+            noise=real("noise", noise, low=0.0, high=1.0),
         )
-
-    def __repr__(self) -> str:
-        return (
-            f"LocalJacobian({self.k}, {self.used}, ridge={self.ridge!r}, reach={self.reach!r}, "
-            f"noise={self.noise!r})"
-        )
-
-
-#: A system of so many equations takes a second or so.
-_MOST_USED = 1000

@@ -15,13 +15,16 @@ if TYPE_CHECKING:
 class InverseModel(Protocol):
     """Who turns goals into commands. Anything with this method is one; no base class is needed.
 
+    A model may also have a method ``start(history)`` that returns the model to work with in one
+    exploration; without it, each exploration works with a copy.
+
     See Also
     --------
-    NearestNeighbor, KNearest, LocalRegression
+    Nearest, KNearest, LocalRegression, LocalJacobian
 
     Examples
     --------
-    Half of the commands drawn anew:
+    Half of the coordinates drawn again:
 
     >>> import numpy as np
     >>> import divbandit as db
@@ -30,7 +33,7 @@ class InverseModel(Protocol):
     ...         _, index = history.nearest(goal)
     ...         kept = rng.random(history.motor_space.dim) < 0.5
     ...         return np.where(kept, history.commands[index], history.motor_space.sample(rng))
-    >>> isinstance(Halves(), db.InverseModel)
+    >>> isinstance(Halves(), db.inverse.InverseModel)
     True
     >>> run = db.explore(db.PlanarArm(3), db.GoalBabbling(inverse=Halves()), n=10, rng=0)
     """
@@ -57,6 +60,6 @@ class InverseModel(Protocol):
         >>> import divbandit as db
         >>> history = db.History(db.Box([0], [1]))
         >>> history.append([0.25], [7.0])
-        >>> db.NearestNeighbor(0.0).command([8.0], history, np.random.default_rng(0))
+        >>> db.inverse.Nearest(0.0).command([8.0], history, np.random.default_rng(0))
         array([0.25])
         """

@@ -1,0 +1,113 @@
+"""GridGoals: a goal in each cell of a grid before there is a second one in any."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from divbandit._checks import whole
+from divbandit.goals.boxed import BoxedGoals, box_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from divbandit.box import Box, BoxLike
+
+#: The finest grid: its cells are kept one by one.
+_MOST_CELLS = 10_000_000
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class GridGoals(BoxedGoals):
+    """Goals uniform in the cells of a grid, all cells in random order, then all again.
+
+    Goals drawn uniformly leave, by chance, a third of as many cells empty; these are spread as
+    evenly at any time. Each cell has its turn whatever was observed in it: choosing the cells
+    with the fewest effects would mean choosing those that cannot be reached, for ever. Uniform
+    in the cell rather than at its centre, as an effect right there is worth no more than others,
+    and no two rounds have the same goals. A goal costs one ``rng.random()`` for the cell, then
+    one a coordinate.
+
+    Parameters
+    ----------
+    cells : int or sequence of int, shape (s,)
+        How many cells the box is cut into along each coordinate; at least 1, and at most ten
+        million altogether.
+    box : Box or object with ``low`` and ``high``, optional
+        What is cut into cells; by default the environment's sensory space.
+
+    Attributes
+    ----------
+    cells : int or tuple of int
+    box : Box or None
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `cells` are no such numbers, are too many or of another dimension than `box`, or `box`
+        is no box.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import divbandit as db
+    >>> history = db.History(db.Box([0], [1]), db.Box([0], [1]))
+    >>> history.append([0.5], [0.6])
+    >>> sampler, rng = db.goals.GridGoals(4).start(history), np.random.default_rng(0)
+    >>> sorted(int(4 * sampler.sample(history, rng)[0]) for _ in range(4))
+    [0, 1, 2, 3]
+    >>> babbling = db.GoalBabbling(0.05, goals=db.goals.GridGoals(20))
+    >>> run = db.explore(db.PlanarArm(20), babbling, n=100, rng=0)
+    """
+
+    cells: int | tuple[int, ...]
+    box: Box | None
+
+    def __init__(self, cells: int | Sequence[int], *, box: BoxLike | None = None) -> None:
+        self._set(cells=_cells(cells), box=box_of(box))
+        self.check(None, has_goals=True)
+
+    def check(self, effect_dim: int | None, *, has_goals: bool) -> None:
+        """Require a box, and cells, of the effects' dimension.
+
+        Parameters
+        ----------
+        effect_dim : int or None
+            Dimension of the effects; None if it is not known yet.
+        has_goals : bool
+            Whether the environment names a sensory space.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.goals.GridGoals([3, 4]).check(3, has_goals=True)
+        Traceback (most recent call last):
+            ...
+        ValueError: cells must be one number or 3, one for each coordinate of the goals, got 2
+        """
+        super().check(effect_dim, has_goals=has_goals)
+        dim = effect_dim if self.box is None else self.box.dim
+        if dim is None:
+            return
+        shape = (self.cells,) * dim if isinstance(self.cells, int) else self.cells
+        if len(shape) != dim:
+            raise ValueError(
+                f"cells must be one number or {dim}, one for each coordinate of the goals, "
+                f"got {len(shape)}"
+            )
+        if math.prod(shape) > _MOST_CELLS:
+            raise ValueError(f"cells must be at most {_MOST_CELLS} altogether, got {self.cells!r}")
+
+
+def _cells(cells: int | Sequence[int]) -> int | tuple[int, ...]:
+    """Return the numbers of cells, each of them checked."""
+    if not isinstance(cells, (list, tuple, np.ndarray)):
+        return whole("cells", cells, low=1, high=_MOST_CELLS)
+    if len(cells) == 0:
+        raise ValueError("cells must not be empty")
+    return tuple(
+        whole(f"cells[{j}]", count, low=1, high=_MOST_CELLS) for j, count in enumerate(cells)
+    )

@@ -1,0 +1,92 @@
+"""UntriedGoals: goals beyond what is covered, where going on was tried least."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from divbandit._checks import positive, real, whole
+from divbandit.goals.boxed import MOST_DRAWS, BoxedGoals, box_of
+
+if TYPE_CHECKING:
+    from divbandit.box import Box, BoxLike
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class UntriedGoals(BoxedGoals):
+    """Goals that no effect covers, near effects that few goals were near before.
+
+    Each effect counts the goals that it was the nearest effect of. A few uncovered goals are drawn
+    as `UncoveredGoals` draws them, and the one whose nearest effect has the least count is taken,
+    the first of several. So an effect from which nothing new was reached, be it at the border of
+    what can be reached, is left alone for others. A goal that is farther than `reach` times `tau`
+    from its nearest effect is moved straight towards it, to that distance, for an inverse model
+    that is right only nearby.
+
+    A goal counts when it is drawn, whatever comes of it. With nothing observed yet goals are uniform
+    in the box, and nothing is counted. Each point drawn costs one ``rng.random()`` a coordinate.
+
+    Parameters
+    ----------
+    tau : float
+        How far an effect covers, in the units of the effects; positive.
+    candidates : int
+        How many uncovered goals to choose from; at least 1. One whose nearest effect has no count
+        yet is taken at once.
+    tries : int
+        How many points to draw at most until one is uncovered; at least 1. The last one is taken
+        if none is.
+    reach : float
+        How far from the nearest effect goals lie at most, in `tau`; at least 1.
+    box : Box or object with ``low`` and ``high``, optional
+        Where goals are drawn; by default the environment's sensory space. Effects may lie
+        outside of it: goals that would are moved to its border, however far that is.
+
+    Attributes
+    ----------
+    tau, candidates, tries, reach
+        As given.
+    box : Box or None
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is out of range, or `box` is no box.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import divbandit as db
+    >>> history = db.History(db.Box([0], [1]), db.Box([0], [1]))
+    >>> history.append([0.5], [0.0])
+    >>> history.append([0.6], [1.0])
+    >>> sampler = db.goals.UntriedGoals(0.1, reach=1.0).start(history)
+    >>> rng = np.random.default_rng(0)
+    >>> sorted(round(float(sampler.sample(history, rng)[0]), 6) for _ in range(4))
+    [0.1, 0.1, 0.9, 0.9]
+    >>> babbling = db.GoalBabbling(0.05, goals=db.goals.UntriedGoals(0.02))
+    >>> run = db.explore(db.PlanarArm(20), babbling, n=100, rng=0)
+    """
+
+    tau: float
+    candidates: int
+    tries: int
+    reach: float
+    box: Box | None
+
+    def __init__(
+        self,
+        tau: float,
+        *,
+        candidates: int = 12,
+        tries: int = 20,
+        reach: float = 4.0,
+        box: BoxLike | None = None,
+    ) -> None:
+        self._set(
+            tau=positive("tau", tau),
+            candidates=whole("candidates", candidates, low=1, high=MOST_DRAWS),
+            tries=whole("tries", tries, low=1, high=MOST_DRAWS),
+            reach=real("reach", reach, low=1.0),
+            box=box_of(box),
+        )

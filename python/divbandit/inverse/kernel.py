@@ -1,0 +1,85 @@
+"""KernelModel: what the library's inverse models share - a compiled kernel makes their commands."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from divbandit import _core
+from divbandit._value import Value
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.random import Generator
+    from numpy.typing import ArrayLike, NDArray
+
+    from divbandit.history import History
+
+#: Upper limit on the effects that a model looks at.
+MOST_NEIGHBOURS = 1_000_000
+
+
+class KernelModel(Value):
+    """A description of an inverse model, which `start` sets to work.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> isinstance(db.inverse.Nearest(), KernelModel)
+    True
+    """
+
+    def start(self, history: History) -> _core.InverseModel:
+        """Return a model at work, for one history.
+
+        Parameters
+        ----------
+        history : History
+
+        Returns
+        -------
+        object
+            Has a method ``command(goal, history, rng)``.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.25], [7.0])
+        >>> model = db.inverse.Nearest(0.1).start(history)
+        >>> model.command([8.0], history, np.random.default_rng(0))
+        array([0.27739234])
+        """
+        del history
+        return _core.InverseModel(self)
+
+    def command(self, goal: ArrayLike, history: History, rng: Generator) -> NDArray[np.float64]:
+        """Return a command for a goal: one ``rng.random()`` a motor coordinate.
+
+        Parameters
+        ----------
+        goal : array_like, shape (s,)
+        history : History
+        rng : numpy.random.Generator
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (m,)
+            Read-only.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If nothing was observed yet, or `goal` is no finite point of the sensory space; `rng` is
+            then as it was.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.25], [7.0])
+        >>> db.inverse.Nearest(0.1).command([8.0], history, np.random.default_rng(0))
+        array([0.27739234])
+        """
+        return self.start(history).command(goal, history, rng)

@@ -1,17 +1,12 @@
-"""Recipes: built-in parts as the arguments they were made with, in words that JSON can write.
-
-A built-in class keeps each argument of its constructor as an attribute of the same name. So a
-part can be written down as the name of its class and these arguments, and made again. What it
-has learned since is not in a recipe.
-"""
+"""Recipes: values of the library as their fields, in words that JSON can write."""
 
 from __future__ import annotations
 
 import importlib
-import inspect
 from typing import Any
 
-import numpy as np
+from divbandit._value import Value, arguments_of
+from divbandit.box import Box
 
 #: Where the classes of recipes may come from.
 _PACKAGES = ("strategies", "goals", "inverse", "bandits", "measures", "adapters", "box")
@@ -27,7 +22,7 @@ def recipe_of(part: object) -> Any:  # noqa: ANN401 - what JSON can write
     Raises
     ------
     NoRecipeError
-        If one of them is not built in.
+        If one of them is user-defined.
 
     Examples
     --------
@@ -44,7 +39,7 @@ def made_from(recipe: Any) -> Any:  # noqa: ANN401 - what JSON can write, and an
     Raises
     ------
     ValueError
-        If it is no recipe of built-in parts.
+        If it is not a recipe of the library's parts.
     Exception
         What the parts raise when they are made.
 
@@ -58,18 +53,15 @@ def made_from(recipe: Any) -> Any:  # noqa: ANN401 - what JSON can write, and an
 
 
 class _Writer:
-    """Writes parts; one that occurs twice is written once."""
+    """Writes parts; one that stands in two places is written once, as it is started once."""
 
     def __init__(self) -> None:
         self._numbers: dict[int, int] = {}
 
     def write(self, value: object) -> Any:  # noqa: ANN401
-        if isinstance(value, np.generic):
-            value = value.item()
         if value is None or isinstance(value, (bool, str, int, float)):
             return value
-        is_named = hasattr(value, "_fields")  # a named tuple is a part of its own kind
-        if isinstance(value, (list, tuple, np.ndarray)) and not is_named:
+        if isinstance(value, (list, tuple)):
             return [self.write(item) for item in value]
         if id(value) in self._numbers:
             return {"same as": self._numbers[id(value)]}
@@ -79,22 +71,19 @@ class _Writer:
         kind = type(value)
         prefix, name = __package__ + ".", f"{kind.__module__}.{kind.__qualname__}"
         if not name.startswith(prefix) or "<" in name:
-            raise NoRecipeError(f"{kind.__name__} is no built-in part")
+            raise NoRecipeError(f"{kind.__name__} is user-defined")
         number = self._numbers[id(value)] = len(self._numbers)
-        arguments = {}
-        for parameter in inspect.signature(kind).parameters.values():
-            if parameter.kind in {parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD}:
-                continue
-            if not hasattr(value, parameter.name):
-                raise NoRecipeError(f"{kind.__name__} does not tell its {parameter.name}")
-            argument = getattr(value, parameter.name)
-            if argument is not None:
-                arguments[parameter.name] = self.write(argument)
+        if isinstance(value, Box):
+            arguments: dict[str, Any] = {"low": value.low.tolist(), "high": value.high.tolist()}
+        elif isinstance(value, Value):
+            arguments = {key: self.write(each) for key, each in arguments_of(value).items()}
+        else:
+            raise NoRecipeError(f"{kind.__name__} is not a value")
         return {"class": name.removeprefix(prefix), "arguments": arguments, "number": number}
 
 
 class _Reader:
-    """Makes parts; one that occurred twice is made once."""
+    """Makes parts; one that stood in two places is made once."""
 
     def __init__(self) -> None:
         self._made: dict[int, object] = {}
@@ -108,10 +97,11 @@ class _Reader:
             return self._made[value["same as"]]
         package, _, name = str(value["class"]).rpartition(".")
         if package.split(".")[0] not in _PACKAGES:
-            raise ValueError(f"class must be a built-in part, got {value['class']!r}")
+            raise ValueError(f"class must be a part of the library, got {value['class']!r}")
         kind = getattr(importlib.import_module(f"{__package__}.{package}"), name)
-        if not isinstance(kind, type) or kind.__module__ != f"{__package__}.{package}":
-            raise ValueError(f"class must be a built-in part, got {value['class']!r}")
+        is_part = isinstance(kind, type) and issubclass(kind, (Value, Box))
+        if not is_part or kind.__module__ != f"{__package__}.{package}":
+            raise ValueError(f"class must be a part of the library, got {value['class']!r}")
         arguments = {key: self.read(argument) for key, argument in value["arguments"].items()}
         made = kind(**arguments)
         self._made[value["number"]] = made

@@ -11,7 +11,8 @@ from divbandit import _files
 from divbandit._checks import whole
 from divbandit.box import Box
 from divbandit.history import Failure
-from divbandit.measures import BallCoverage, checked, started
+from divbandit.measures import BallCoverage
+from divbandit.measures.start import check_measure, start_measure
 
 if TYPE_CHECKING:
     import os
@@ -138,10 +139,10 @@ class Exploration:
         >>> run.diversity(db.measures.GridCoverage(0.5))[[0, -1]]
         array([1., 6.])
         """
-        checked("measure", measure)
+        check_measure("measure", measure)
         if len(self) == 0:  # perhaps of no dimension yet
             return np.empty(0)
-        return np.cumsum(started(measure, self.effects.shape[1]).extend(self.effects))
+        return np.cumsum(start_measure("measure", measure, self.effects.shape[1]).extend(self.effects))
 
     def coverage(self, tau: float) -> NDArray[np.float64]:
         """Return the coverage after each step: the measure of the union of balls so far.

@@ -1,20 +1,25 @@
-"""Exploration strategies: how the next motor command is picked, given all observed so far."""
+"""Strategies: what proposes the next motor command.
 
-from divbandit.strategies.base import Strategy, Trial
+`MotorBabbling` and `GoalBabbling` propose by themselves; `Mixture`, `Schedule` and the bandits of
+`divbandit.bandits` let others propose. Derive a strategy from `Strategy`, one made of others from
+`Composite`.
+"""
+
+from divbandit.strategies.base import Starter, Strategy
 from divbandit.strategies.composite import Composite
 from divbandit.strategies.goal_babbling import GoalBabbling
 from divbandit.strategies.mixture import Mixture
 from divbandit.strategies.motor_babbling import MotorBabbling
-from divbandit.strategies.quasi_random import QuasiRandomBabbling
 from divbandit.strategies.schedule import Schedule
+from divbandit.strategies.trial import Trial
 
 __all__ = [
     "Composite",
     "GoalBabbling",
     "Mixture",
     "MotorBabbling",
-    "QuasiRandomBabbling",
     "Schedule",
+    "Starter",
     "Strategy",
     "Trial",
 ]

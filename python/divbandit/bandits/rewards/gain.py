@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from divbandit import _core
 from divbandit._checks import real
 from divbandit._value import Value
-from divbandit.measures import checked, started
+from divbandit.measures.start import check_measure, start_measure
 
 if TYPE_CHECKING:
     import numpy as np
@@ -56,7 +56,7 @@ class Gain(Value):
     measure: Measure
 
     def __init__(self, measure: Measure) -> None:
-        self._set(measure=checked("measure", measure))
+        self._set(measure=check_measure("measure", measure))
 
     def largest(self, dim: int) -> float:
         """Return the measure's largest gain.
@@ -67,14 +67,14 @@ class Gain(Value):
         >>> round(db.bandits.Gain(db.measures.BallCoverage(0.5)).largest(2), 6)
         0.785398
         """
-        largest = started(self.measure, dim).largest_gain
+        largest = start_measure("measure", self.measure, dim).largest_gain
         return real("measure.largest_gain", largest, low=0.0)
 
     def start(self, dim: int) -> RunningReward:
         """Return what finds the gains of one exploration."""
         if isinstance(self.measure, Value):
             return _core.Reward(self, dim)
-        return _Measured(started(self.measure, dim))
+        return _Measured(start_measure("measure", self.measure, dim))
 
 
 class _Measured:

@@ -1,33 +1,50 @@
 """Every measure by what it is called in a test."""
 
-import copy
-import pickle
-
 import numpy as np
 
-import divbandit as db
+from divbandit.measures import BallCoverage, Coverage, Entropy, GridCoverage, Sparseness
+from tests.reference import measures as reference
 
 
-def fresh():
-    """Return {name: an empty measure}."""
+def started():
+    """Return {name: a running measure of no effects}."""
     return {
-        "coverage": db.Coverage(0.3),
-        "coverage, one dimension": db.Coverage(0.1, dim=1),
-        "coverage, three dimensions": db.Coverage(0.4, dim=3),
-        "coverage, four dimensions": db.Coverage(0.8, dim=4, accuracy=0.01, rng=0),
-        "grid": db.GridCoverage(0.25),
-        "grid, edges and origin": db.GridCoverage([0.25, 0.5], origin=[0.1, -3]),
-        "grid, one dimension": db.GridCoverage(0.25, dim=1),
-        "grid, four dimensions": db.GridCoverage(0.5, dim=4),
-        "sparseness": db.Sparseness(),
-        "sparseness, k = 1": db.Sparseness(1),
-        "sparseness, k = 3": db.Sparseness(k=3, dim=3),
-        "entropy": db.Entropy(0.25),
-        "entropy, edges and origin": db.Entropy([0.25, 0.5, 1.0], dim=3, origin=0.1),
-    }
+        "coverage": Coverage(0.3),
+        "coverage, one dimension": Coverage(0.1, dim=1),
+        "coverage, three dimensions": Coverage(0.4, dim=3),
+        "coverage, four dimensions": Coverage(0.8, dim=4, accuracy=0.01, rng=0),
+    } | {name: measure.start(dim) for name, (measure, dim) in VALUES.items()}
 
 
-NAMES = tuple(fresh())
+#: Each of the values, and the dimension in which it is tried.
+VALUES = {
+    "balls": (BallCoverage(0.3), 2),
+    "balls, four dimensions": (BallCoverage(0.8, accuracy=0.01), 4),
+    "grid": (GridCoverage(0.25), 2),
+    "grid, edges and origin": (GridCoverage([0.25, 0.5], origin=[0.1, -3]), 2),
+    "grid, one dimension": (GridCoverage(0.25), 1),
+    "grid, four dimensions": (GridCoverage(0.5), 4),
+    "sparseness": (Sparseness(), 2),
+    "sparseness, k = 1": (Sparseness(1), 2),
+    "sparseness, k = 3": (Sparseness(k=3), 3),
+    "entropy": (Entropy(0.25), 2),
+    "entropy, edges and origin": (Entropy([0.25, 0.5, 1.0], origin=0.1), 3),
+}
+
+NAMES = tuple(started())
+
+
+def specified(measure, dim):
+    """Return the plain specification of a value."""
+    match measure:
+        case GridCoverage():
+            return reference.GridCoverage(measure.cell, measure.origin, dim)
+        case Entropy():
+            return reference.Entropy(measure.cell, measure.origin, dim)
+        case Sparseness():
+            return reference.Sparseness(measure.k)
+        case BallCoverage():
+            return Coverage(measure.tau, dim=dim, accuracy=measure.accuracy, rng=0)
 
 
 def clustered(dim, n=200, seed=0):
@@ -36,10 +53,3 @@ def clustered(dim, n=200, seed=0):
     effects = rng.uniform(-1, 1, (n, dim)) * rng.choice([0.05, 1.0], (n, 1))
     effects[n // 2 :: 7] = effects[0]
     return effects
-
-
-COPIES = {
-    "copy": copy.copy,
-    "deepcopy": copy.deepcopy,
-    "pickle": lambda measure: pickle.loads(pickle.dumps(measure)),  # noqa: S301
-}

@@ -6,34 +6,40 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-import divbandit as db
+from divbandit.measures import GridCoverage
 
 
 def test_counts_by_hand():
-    grid = db.GridCoverage(1.0)
+    grid = GridCoverage(1.0).start(2)
     effects = [[0.5, 0.5], [0.9, 0.1], [1.0, 0.5], [-0.1, 0.5], [-0.0, 0.0], [-1.0, 0.5]]
     assert grid.extend(effects).tolist() == [1.0, 0.0, 1.0, 1.0, 0.0, 0.0]
     assert (grid.measure, len(grid), grid.dim, grid.largest_gain) == (3.0, 6, 2, 1.0)
 
 
 def test_cells_are_closed_below_and_open_above():
-    grid = db.GridCoverage(0.25, dim=1)
+    grid = GridCoverage(0.25).start(1)
     assert grid.extend([[0.25], [math.nextafter(0.5, 0)], [0.5]]).tolist() == [1, 0, 1]
     assert grid.extend([[math.nextafter(0.25, 0)], [0.0], [-(2.0**-1074)]]).tolist() == [1, 0, 1]
 
 
+def test_the_two_zeros_lie_in_one_cell():
+    grid = GridCoverage(1.0).start(2)
+    zeros = [[0.0, 0.0], [-0.0, 0.0], [0.0, -0.0], [-0.0, -0.0]]
+    assert grid.extend(zeros).tolist() == [1, 0, 0, 0]
+
+
 def test_an_edge_for_each_coordinate():
-    grid = db.GridCoverage([1.0, 10.0], dim=2)
+    grid = GridCoverage([1.0, 10.0]).start(2)
     assert grid.extend([[0, 0], [0, 9], [0.5, 9.5], [1, 0], [0, 10]]).tolist() == [1, 0, 0, 1, 1]
-    assert grid.cell == (1.0, 10.0)
 
 
 def test_the_origin_is_a_corner():
-    effects = [[-0.5, 0], [0.4, 0], [0.5, 0]]
-    assert db.GridCoverage(1.0).extend(effects).tolist() == [1, 1, 0]
-    assert db.GridCoverage(1.0, origin=0.5).extend(effects).tolist() == [1, 0, 1]
-    assert db.GridCoverage(1.0, origin=[-0.5, 7]).extend(effects).tolist() == [1, 0, 1]
-    assert db.GridCoverage(1.0, origin=[-0.5, 7]).origin == (-0.5, 7.0)
+    def gains(**origin):
+        return GridCoverage(1.0, **origin).start(2).extend([[-0.5, 0], [0.4, 0], [0.5, 0]]).tolist()
+
+    assert gains() == [1, 1, 0]
+    assert gains(origin=0.5) == [1, 0, 1]
+    assert gains(origin=[-0.5, 7]) == [1, 0, 1]
 
 
 @pytest.mark.parametrize("dim", [1, 2, 3, 7])
@@ -42,14 +48,14 @@ def test_equals_cells_found_with_fractions(dim, cell):
     """Away from borders rounding plays no part: the exact quotient has the same floor."""
     effects = np.random.default_rng(dim).uniform(-1, 1, (400, dim))
     exact = {tuple(math.floor(Fraction(x) / Fraction(cell)) for x in row) for row in effects}
-    grid = db.GridCoverage(cell, dim=dim)
+    grid = GridCoverage(cell).start(dim)
     gains = grid.extend(effects)
     assert grid.measure == gains.sum() == len(exact)
 
 
 def test_a_measure_does_not_depend_on_the_order():
     effects = np.random.default_rng(0).normal(size=(500, 2))
-    forwards, backwards = db.GridCoverage(0.3), db.GridCoverage(0.3)
+    forwards, backwards = GridCoverage(0.3).start(2), GridCoverage(0.3).start(2)
     forwards.extend(effects)
     backwards.extend(effects[::-1])
     assert forwards.measure == backwards.measure
@@ -57,12 +63,12 @@ def test_a_measure_does_not_depend_on_the_order():
 
 def test_many_dimensions():
     corners = np.array(np.meshgrid(*[[0.0, 1.0]] * 10)).reshape(10, -1).T
-    assert db.GridCoverage(1.0, dim=10).extend(corners).tolist() == [1.0] * 1024
+    assert GridCoverage(1.0).start(10).extend(corners).tolist() == [1.0] * 1024
 
 
 @pytest.mark.parametrize("far", [1e16, 1e100, 1e300, -1e300, 1.7e308, -1.7e308])
 def test_far_effects_have_cells(far):
-    grid = db.GridCoverage(1.0)
+    grid = GridCoverage(1.0).start(2)
     assert grid.add([far, 0.0]) == 1.0
     assert grid.add([far, 0.0]) == 0.0
     assert grid.add([math.nextafter(far, 0), 0.0]) == 1.0
@@ -70,7 +76,7 @@ def test_far_effects_have_cells(far):
 
 @pytest.mark.parametrize("cell", [5e-324, 1e-300, 1e300, 1.7e308])
 def test_cells_of_any_size(cell):
-    grid = db.GridCoverage(cell, dim=1)
+    grid = GridCoverage(cell).start(1)
     assert grid.extend([[0.0], [cell / 2], [cell], [-cell]]).tolist()[2:] == [1.0, 1.0]
 
 
@@ -79,7 +85,7 @@ def test_cells_of_any_size(cell):
     [(1e-10, 0.0, 1e300), (5e-324, 0.0, -1.0), (1.0, -1.7e308, 1.7e308)],
 )
 def test_too_many_cells_away(cell, origin, effect):
-    grid = db.GridCoverage(cell, origin=[0.0, origin])
+    grid = GridCoverage(cell, origin=[0.0, origin]).start(2)
     if origin == 0.0:
         grid.add([0.0, 0.0])
     before = (len(grid), grid.measure)
@@ -93,7 +99,47 @@ def test_too_many_cells_away(cell, origin, effect):
     assert (len(grid), grid.measure) == before
 
 
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"cell": 0}, ValueError, "cell must be positive, got 0"),
+        ({"cell": [0.5, -1.0]}, ValueError, r"cell must be positive, got \[0.5, -1.0\]"),
+        ({"cell": math.nan}, ValueError, "cell must be a finite number"),
+        ({"cell": [0.5, math.inf]}, ValueError, r"cell\[1\] must be finite, got inf"),
+        ({"cell": True}, TypeError, "cell must be a number, got bool"),
+        ({"cell": "wide"}, TypeError, "cell must be an array of real numbers, got str"),
+        ({"cell": []}, ValueError, "cell must not be empty"),
+        ({"cell": 1.0, "origin": [[0.0]]}, ValueError, "origin must have shape"),
+        ({"cell": 1.0, "origin": None}, TypeError, "origin must be an array of real numbers"),
+    ],
+)
+def test_a_grid_says_what_is_wrong_with_it(arguments, error, message):
+    with pytest.raises(error, match=f"^{message}"):
+        GridCoverage(**arguments)
+
+
+@pytest.mark.parametrize(
+    ("grid", "dim", "message"),
+    [
+        (GridCoverage([1.0, 2.0]), 3, "cell must have length 3, got 2"),
+        (GridCoverage(1.0, origin=[1.0, 2.0]), 1, "origin must have length 1, got 2"),
+        (GridCoverage(1.0), 0, "dim must be from 1 to 1000000, got 0"),
+        (GridCoverage(1.0), 1_000_001, "dim must be from 1 to 1000000, got 1000001"),
+    ],
+)
+def test_a_dimension_that_does_not_fit(grid, dim, message):
+    with pytest.raises(ValueError, match=f"^{message}$"):
+        grid.start(dim)
+
+
+def test_fields_are_numbers_or_tuples_of_them():
+    grid = GridCoverage(np.array([1, 2]), origin=np.float32(0.5))
+    assert (grid.cell, grid.origin) == ((1.0, 2.0), 0.5)
+    assert [type(x) for x in (*grid.cell, grid.origin)] == [float] * 3
+
+
 def test_says_what_it_is():
-    grid = db.GridCoverage(0.5)
+    assert repr(GridCoverage([0.5, 1], origin=2)) == "GridCoverage([0.5, 1.0], origin=2.0)"
+    grid = GridCoverage(0.5).start(2)
     grid.extend([[0, 0], [0, 1], [0, 1]])
-    assert repr(grid) == "<GridCoverage of 3 effects, cell=(0.5, 0.5), measure=2.0>"
+    assert repr(grid) == "<GridCoverage(0.5) of 3 effects in R^2, measure=2.0>"

@@ -1,6 +1,9 @@
-"""What holds for every measure, compiled or not."""
+"""What holds for every measure, and for a user's."""
 
+import copy
 import math
+import pickle
+import threading
 
 import numpy as np
 import pytest
@@ -8,12 +11,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import divbandit as db
-from tests.measures.every import (
-    COPIES,
-    NAMES,
-    clustered,
-    fresh,
+from divbandit._core import Measure as Running
+from divbandit.measures import (
+    BallCoverage,
+    Coverage,
+    Entropy,
+    GridCoverage,
+    Measure,
+    RunningMeasure,
+    Sparseness,
 )
+from divbandit.measures.start import start_measure
+from tests.measures.every import NAMES, VALUES, clustered, specified, started
 
 # Multiples of a quarter meet borders of cells and each other; others lie anywhere.
 coordinate = st.integers(-8, 8).map(lambda k: k / 4) | st.floats(-2, 2)
@@ -22,16 +31,24 @@ effects = st.lists(st.tuples(*[coordinate] * 4), min_size=1, max_size=25)
 
 
 every = pytest.mark.parametrize("name", NAMES)
+every_value = pytest.mark.parametrize("name", VALUES)
+
+#: Ways to copy a value.
+COPIES = {
+    "copy": copy.copy,
+    "deepcopy": copy.deepcopy,
+    "pickle": lambda measure: pickle.loads(pickle.dumps(measure)),  # noqa: S301
+}
 
 
 def of(name, points):
-    """Return an empty measure and the effects in its dimension."""
-    measure = fresh()[name]
+    """Return a measure of no effects and the effects in its dimension."""
+    measure = started()[name]
     return measure, np.array(points)[:, : measure.dim]
 
 
 def filled(name, n=60):
-    measure = fresh()[name]
+    measure = started()[name]
     measure.extend(clustered(measure.dim, n))
     return measure
 
@@ -43,18 +60,24 @@ def seen(measure):
 
 
 @every
+def test_is_a_running_measure(name):
+    assert isinstance(started()[name], RunningMeasure)
+
+
+@every_value
 def test_is_a_measure(name):
-    assert isinstance(fresh()[name], db.Measure)
+    assert isinstance(VALUES[name][0], Measure)
+    assert not isinstance(VALUES[name][0], RunningMeasure)
 
 
 @pytest.mark.parametrize("other", [db.NearestNeighbors(2), db.Box([0], [1]), [], None])
 def test_other_things_are_no_measures(other):
-    assert not isinstance(other, db.Measure)
+    assert not isinstance(other, (Measure, RunningMeasure))
 
 
 @every
 def test_begins_with_nothing(name):
-    measure = fresh()[name]
+    measure = started()[name]
     assert (len(measure), measure.measure) == (0, 0.0)
     assert type(measure.measure) is float
 
@@ -90,7 +113,7 @@ def test_many_gains_are_each_by_itself(name, points, new):
 @given(points=effects)
 def test_extend_is_repeated_add_bit_for_bit(name, points):
     one, points = of(name, points)
-    many, parts = fresh()[name], fresh()[name]
+    many, parts = started()[name], started()[name]
     gains = many.extend(points)
     assert (gains.dtype, gains.shape) == (np.float64, (len(points),))
     assert gains.tolist() == [one.add(point) for point in points]
@@ -125,30 +148,94 @@ def test_no_gain_is_above_the_largest(name, points):
         assert gains.max() <= largest
 
 
-@every
-@pytest.mark.parametrize("way", COPIES)
-def test_a_copy_goes_its_own_way(name, way):
-    measure = filled(name)
-    other = COPIES[way](measure)
-    before = seen(measure)
-    assert type(other) is type(measure)
-    assert other.dim == measure.dim
-    assert seen(other) == before
-    more = clustered(measure.dim, 50, seed=1) * 3
-    gains = other.extend(more).tolist()
-    assert seen(measure) == before
-    assert measure.extend(more).tolist() == gains
-    assert seen(measure) == seen(other) != before
+@every_value
+@given(points=effects)
+def test_equals_its_specification(name, points):
+    """Each gain, and the measure, to the last bit."""
+    value, dim = VALUES[name]
+    measure, plain = value.start(dim), specified(value, dim)
+    points = np.array(points)[:, :dim]
+    assert measure.extend(points).tolist() == [plain.add(point) for point in points]
+    if isinstance(value, Sparseness):
+        assert measure.measure == plain.of(plain.effects)
 
 
-@every
+@every_value
+def test_the_core_measures_as_what_is_started(name):
+    """An engine has a measure of balls without their log: with the same numbers."""
+    value, dim = VALUES[name]
+    running, measure, points = Running(value, dim), value.start(dim), clustered(dim)
+    assert (running.dim, running.largest_gain) == (measure.dim, measure.largest_gain)
+    assert running.gain(points).tolist() == measure.gain(points).tolist()
+    assert running.extend(points).tolist() == measure.extend(points).tolist()
+    assert (running.measure, len(running)) == (measure.measure, len(measure))
+
+
+@every_value
+def test_starts_each_time_with_nothing(name):
+    value, dim = VALUES[name]
+    points = clustered(dim)
+    first = value.start(dim).extend(points)
+    assert value.start(dim).extend(points).tolist() == first.tolist()
+
+
+@every_value
 @pytest.mark.parametrize("way", COPIES)
-def test_an_empty_one_is_copied_too(name, way):
-    measure = fresh()[name]
-    points = clustered(measure.dim)
-    gains = COPIES[way](measure).extend(points).tolist()
-    assert len(measure) == 0
-    assert measure.extend(points).tolist() == gains
+def test_copies_are_equal_and_start_alike(name, way):
+    value, dim = VALUES[name]
+    other = COPIES[way](value)
+    assert other == value
+    assert hash(other) == hash(value)
+    assert repr(other) == repr(value)
+    points = clustered(dim)
+    assert other.start(dim).extend(points).tolist() == value.start(dim).extend(points).tolist()
+
+
+@every_value
+def test_repr_can_be_evaluated(name):
+    value, _ = VALUES[name]
+    assert eval(repr(value)) == value  # noqa: S307 - its own words
+
+
+def test_values_differ_by_their_fields():
+    assert len({value for value, _ in VALUES.values()}) == len(VALUES) - 1  # one is there twice
+    assert GridCoverage(0.25) != Entropy(0.25)
+    assert GridCoverage(1) == GridCoverage(np.float64(1.0))
+    assert GridCoverage([1, 2]) == GridCoverage(np.array([1.0, 2.0]))
+
+
+@every_value
+def test_a_value_cannot_be_changed(name):
+    value, _ = VALUES[name]
+    with pytest.raises(AttributeError):
+        value.tau = 0.5
+    with pytest.raises(AttributeError):
+        value.cell = 0.5
+
+
+@every_value
+@pytest.mark.parametrize(
+    ("dim", "error"), [(0, ValueError), (-1, ValueError), (2.0, TypeError), (True, TypeError)]
+)
+def test_a_dimension_is_a_whole_number_from_1_on(name, dim, error):
+    value, _ = VALUES[name]
+    with pytest.raises(error, match=r"^dim must be "):
+        value.start(dim)
+
+
+@pytest.mark.parametrize("kind", [BallCoverage, GridCoverage, Sparseness, Entropy])
+def test_a_class_that_derives_starts_what_its_base_would(kind):
+    class Mine(kind):
+        pass
+
+    points = clustered(2)
+    assert Mine(2).start(2).extend(points).tolist() == kind(2).start(2).extend(points).tolist()
+
+
+@pytest.mark.parametrize("other", [Coverage(0.5), db.MotorBabbling(), 0.5, None])
+def test_the_core_takes_measures_of_the_library_alone(other):
+    with pytest.raises(TypeError, match=f"^value must be a measure .* got {type(other).__name__}$"):
+        Running(other, 2)
 
 
 @every
@@ -193,7 +280,7 @@ def test_no_effects_are_no_gains(name):
 )
 @every
 def test_arrays_of_any_kind_are_read(name, like):
-    measure, other = fresh()[name], fresh()[name]
+    measure, other = started()[name], started()[name]
     points = clustered(measure.dim).astype(np.float32).astype(np.float64)
     assert other.extend(like(points)).tolist() == measure.extend(points).tolist()
 
@@ -201,7 +288,7 @@ def test_arrays_of_any_kind_are_read(name, like):
 @every
 def test_effects_are_not_held_on_to(name):
     """Changing an array after it was given changes nothing."""
-    measure = fresh()[name]
+    measure = started()[name]
     points = clustered(measure.dim)
     point = points[0].copy()
     measure.add(point)
@@ -210,3 +297,104 @@ def test_effects_are_not_held_on_to(name):
     point += 1.0
     points += 1.0
     assert seen(measure) == before
+
+
+def test_other_threads_go_on_while_many_effects_are_added():
+    """The interpreter is not held up; the measure itself is used by one call at a time."""
+    measure, points = Sparseness(200).start(2), clustered(2, 3000)
+    worker = threading.Thread(target=measure.extend, args=[points])
+    worker.start()
+    ticks = 0
+    while worker.is_alive():
+        ticks += 1
+    worker.join()
+    assert ticks > 100
+    assert len(measure) == len(points)
+
+
+class Furthest:
+    """How far the farthest effect is from 0: a user's measure, which starts itself."""
+
+    largest_gain = 0.0
+
+    def start(self, dim):
+        self.dim, self.measure, self.count = dim, 0.0, 0
+        return self
+
+    def gain(self, effect):
+        return max(self.measure, float(np.linalg.norm(effect))) - self.measure
+
+    def add(self, effect):
+        gain = self.gain(effect)
+        self.measure, self.count = self.measure + gain, self.count + 1
+        return gain
+
+    def extend(self, effects):
+        return np.array([self.add(effect) for effect in effects])
+
+    def __len__(self):
+        return self.count
+
+
+def test_a_users_measure_is_copied_before_it_is_started():
+    mine = Furthest()
+    one, other = start_measure("measure", mine, 2), start_measure("measure", mine, 3)
+    assert one.add([3, 4]) == 5.0
+    assert (len(one), len(other), one.dim, other.dim) == (1, 0, 2, 3)
+    assert not hasattr(mine, "dim")
+
+
+def test_a_value_is_started_as_it_is():
+    assert isinstance(start_measure("measure", BallCoverage(0.5), 3), Coverage)
+    assert repr(start_measure("measure", GridCoverage(0.5), 3)).startswith("<GridCoverage(0.5)")
+
+
+@pytest.mark.parametrize(
+    ("measure", "got"),
+    [(Coverage(0.02), "Coverage"), (0.02, "float"), (GridCoverage, "the class GridCoverage")],
+)
+def test_what_is_no_measure_is_refused(measure, got):
+    message = rf"^here must be a Measure, such as BallCoverage\(0.02\), got {got}$"
+    with pytest.raises(TypeError, match=message):
+        start_measure("here", measure, 2)
+
+
+class Returning(Furthest):
+    """One whose start returns what it was given."""
+
+    def __init__(self, running):
+        self.running = running
+
+    def start(self, dim):
+        del dim
+        return self.running
+
+
+def filled_one():
+    """Return a user's running measure that holds an effect already."""
+    running = Furthest().start(2)
+    running.add([1, 0])
+    return running
+
+
+def bounded_by(largest):
+    running = Furthest().start(2)
+    running.largest_gain = largest
+    return running
+
+
+@pytest.mark.parametrize(
+    ("running", "error", "message"),
+    [
+        (None, TypeError, "measure.start must return a RunningMeasure, got NoneType"),
+        (Furthest, TypeError, "measure.start must return a RunningMeasure, got a class"),
+        (filled_one(), ValueError, "measure.start must return an empty one, got 1 effects"),
+        (Furthest().start(3), ValueError, "measure.start must return one of dim 2, got 3"),
+        (bounded_by(-1.0), ValueError, "measure.largest_gain must be a finite number in"),
+        (bounded_by(math.inf), ValueError, "measure.largest_gain must be a finite number in"),
+        (bounded_by(None), TypeError, "measure.largest_gain must be a number, got NoneType"),
+    ],
+)
+def test_what_is_no_running_measure_is_refused(running, error, message):
+    with pytest.raises(error, match=f"^{message}"):
+        start_measure("measure", Returning(running), 2)

@@ -6,35 +6,33 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-import divbandit as db
+from divbandit.measures import Sparseness
 
 
 def test_gains_by_hand():
     """Right triangles 3-4-5 and 5-12-13, with two neighbours."""
-    sparseness = db.Sparseness(2)
+    sparseness = Sparseness(2).start(2)
     assert sparseness.add([0, 0]) == 0.0  # nothing to be far from
     assert sparseness.add([3, 4]) == 5.0  # one is known
     assert sparseness.add([3, 0]) == 3.5  # (3 + 4) / 2
     assert sparseness.add([15, 9]) == (13 + 15) / 2  # to (3, 4) and (3, 0): hypot(12, 9) = 15
     assert sparseness.measure == 22.5
-    assert (len(sparseness), sparseness.k, sparseness.dim) == (4, 2, 2)
+    assert (len(sparseness), sparseness.dim) == (4, 2)
 
 
 def test_by_default_fifteen_neighbours():
-    sparseness = db.Sparseness(dim=1)
-    gains = sparseness.extend([[0.0]] * 15 + [[1.0], [1.0]])
+    gains = Sparseness().start(1).extend([[0.0]] * 15 + [[1.0], [1.0]])
     assert gains.tolist() == [0.0] * 15 + [1.0, 14 / 15]
 
 
 def test_a_repeated_effect_gains_until_it_was_seen_k_times():
-    sparseness = db.Sparseness(2, dim=1)
-    gains = sparseness.extend([[0.0], [4.0], [4.0], [4.0], [4.0]])
+    gains = Sparseness(2).start(1).extend([[0.0], [4.0], [4.0], [4.0], [4.0]])
     assert gains.tolist() == [0.0, 4.0, 2.0, 0.0, 0.0]
 
 
 def test_the_order_matters():
-    assert db.Sparseness(1, dim=1).extend([[0.0], [2.0], [1.0]]).sum() == 3.0
-    assert db.Sparseness(1, dim=1).extend([[0.0], [1.0], [2.0]]).sum() == 2.0
+    assert Sparseness(1).start(1).extend([[0.0], [2.0], [1.0]]).sum() == 3.0
+    assert Sparseness(1).start(1).extend([[0.0], [1.0], [2.0]]).sum() == 2.0
 
 
 @pytest.mark.parametrize("dim", [1, 2, 5])
@@ -45,18 +43,18 @@ def test_equals_brute_force(dim, k):
     for n in range(1, len(effects)):
         distances = np.sqrt(((effects[:n] - effects[n]) ** 2).sum(axis=1))
         expected.append(np.sort(distances)[:k].mean())
-    gains = db.Sparseness(k, dim=dim).extend(effects)
+    gains = Sparseness(k).start(dim).extend(effects)
     np.testing.assert_allclose(gains, expected, rtol=1e-13)
 
 
 def test_the_sum_does_not_drift():
-    """A plain sum of these gains is off by 2e-11 or more; the exact one is kept."""
+    """A plain sum of these gains is off by 2e-11 or more; the exact one is rounded once."""
     effects = np.random.default_rng(0).uniform(size=(20_000, 1)) * 1e-6
     effects[1] = 1e6
-    sparseness = db.Sparseness(1, dim=1)
+    sparseness = Sparseness(1).start(1)
     gains = sparseness.extend(effects).tolist()
     exact = float(sum(map(Fraction, gains)))
-    assert sparseness.measure == pytest.approx(exact, rel=2.3e-16)
+    assert sparseness.measure == exact
     plain = 0.0
     for gain in gains:
         plain += gain
@@ -65,7 +63,7 @@ def test_the_sum_does_not_drift():
 
 @pytest.mark.parametrize("far", [1e150, -1e150])
 def test_far_effects(far):
-    sparseness = db.Sparseness()
+    sparseness = Sparseness().start(2)
     sparseness.add([-far, -far])
     assert sparseness.add([far, far]) == pytest.approx(math.sqrt(8) * 1e150, rel=1e-14)
     assert math.isfinite(sparseness.measure)
@@ -73,30 +71,39 @@ def test_far_effects(far):
 
 @pytest.mark.parametrize("far", [1.1e150, -1e300])
 def test_too_far_effects_are_refused(far):
-    sparseness = db.Sparseness()
+    sparseness = Sparseness().start(2)
     sparseness.add([1.0, 1.0])
-    message = r"must be within 1e\+150 of 0, got"
+    message = r"must be within 1e150 of 0, got"
     with pytest.raises(ValueError, match=r"effect\[1\] " + message):
         sparseness.add([0.0, far])
     with pytest.raises(ValueError, match=r"effect\[0, 0\] " + message):
-        sparseness.gain([[far, 0.0]])
+        sparseness.gain([[far, 0.0], [0.0, 0.0]])
     with pytest.raises(ValueError, match=r"effects\[1, 1\] " + message):
         sparseness.extend([[0.0, 0.0], [0.0, far]])
     assert (len(sparseness), sparseness.measure) == (1, 0.0)
     assert sparseness.gain([1.0, 2.0]) == 1.0
 
 
-def test_there_is_no_head_start_but_one_of_ones_own():
-    class Eager(db.Sparseness):
-        largest_gain = 3.0
+def test_there_is_no_largest_gain():
+    assert Sparseness().start(2).largest_gain == 0.0
 
-    babbling = [db.MotorBabbling()] * 2
-    assert db.Sparseness().largest_gain == 0.0
-    assert db.Adapt(babbling, measure=db.Sparseness()).diversities == (0.0, 0.0)
-    assert db.Adapt(babbling, measure=Eager()).diversities == (3.0, 3.0)
+
+@pytest.mark.parametrize(
+    ("k", "error", "message"),
+    [
+        (0, ValueError, "k must be from 1 to 4294967295, got 0"),
+        (2**32, ValueError, "k must be from 1 to 4294967295, got 4294967296"),
+        (1.0, TypeError, "k must be a whole number, got float"),
+        (True, TypeError, "k must be a whole number, got bool"),
+    ],
+)
+def test_k_is_a_whole_number(k, error, message):
+    with pytest.raises(error, match=f"^{message}$"):
+        Sparseness(k)
 
 
 def test_says_what_it_is():
-    sparseness = db.Sparseness(3)
+    assert (repr(Sparseness()), repr(Sparseness(3))) == ("Sparseness()", "Sparseness(3)")
+    sparseness = Sparseness(3).start(2)
     sparseness.extend([[0, 0], [0, 1]])
-    assert repr(sparseness) == "<Sparseness of 2 effects, k=3, measure=1.0>"
+    assert repr(sparseness) == "<Sparseness(3) of 2 effects in R^2, measure=1.0>"

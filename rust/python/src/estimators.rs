@@ -112,7 +112,7 @@ impl PyEstimator {
     /// [0.0, 3.0]
     fn add(&mut self, part: &Bound<'_, PyAny>, reward: &Bound<'_, PyAny>) -> PyResult<()> {
         let part = part_of(part, self.0.means().len())?;
-        self.0.add(part, reward_of(reward)?);
+        self.0.add(part, finite("reward", reward)?);
         Ok(())
     }
 
@@ -131,11 +131,11 @@ pub(crate) fn part_of(part: &Bound<'_, PyAny>, parts: usize) -> PyResult<usize> 
     Err(value_error(Error::Count { name: "part", must_be, got: part }))
 }
 
-/// Reads a finite reward.
-pub(crate) fn reward_of(reward: &Bound<'_, PyAny>) -> PyResult<f64> {
-    let reward = number("reward", reward)?;
-    if reward.is_finite() {
-        return Ok(reward);
+/// Reads a finite number.
+pub(crate) fn finite(name: &'static str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let got = number(name, value)?;
+    if got.is_finite() {
+        return Ok(got);
     }
-    Err(value_error(Error::Number { name: "reward", must_be: "finite", got: reward }))
+    Err(value_error(Error::Number { name, must_be: "finite", got }))
 }

@@ -2,6 +2,7 @@
 
 use divbandit_core::Error;
 use divbandit_core::bandits::policies::{self, Choice, Estimates, Policy, PolicyKind};
+use divbandit_core::error::check_finite;
 use divbandit_core::strategies;
 use pyo3::exceptions::PyTypeError;
 use pyo3::intern;
@@ -9,7 +10,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Floats, count, number};
 use crate::errors::value_error;
-use crate::estimators::{PyEstimator, part_of, reward_of};
+use crate::estimators::{PyEstimator, finite, part_of};
 use crate::parts::{class_of, field};
 use crate::random::NumpyStream;
 
@@ -135,8 +136,7 @@ impl PyPolicy {
                 let means = self.read(estimates, "means")?;
                 let counts = self.read(estimates, "counts")?;
                 let largest = estimates.getattr(intern!(rng.py(), "largest"))?;
-                let largest = number("estimates.largest", &largest)?;
-                finite("estimates.largest", &[largest])?;
+                let largest = finite("estimates.largest", &largest)?;
                 let estimates = Estimates { means: &means, counts: &counts, largest };
                 self.policy.choose(&estimates, &mut NumpyStream::lock(rng)?)
             }
@@ -175,7 +175,7 @@ impl PyPolicy {
         reward: &Bound<'_, PyAny>,
         probability: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
-        let (part, reward) = (part_of(part, self.parts)?, reward_of(reward)?);
+        let (part, reward) = (part_of(part, self.parts)?, finite("reward", reward)?);
         let probability = probability.map(probability_of).transpose()?;
         self.policy.learn(part, reward, probability);
         Ok(())
@@ -191,14 +191,9 @@ impl PyPolicy {
     fn read(&self, estimates: &Bound<'_, PyAny>, what: &'static str) -> PyResult<Vec<f64>> {
         let name = if what == "means" { "estimates.means" } else { "estimates.counts" };
         let numbers = Floats::point(name, &estimates.getattr(what)?, Some(self.parts))?.copied()?;
-        finite(name, &numbers)?;
+        check_finite(name, &numbers, self.parts).map_err(value_error)?;
         Ok(numbers)
     }
-}
-
-/// Checks that numbers are finite.
-fn finite(name: &'static str, numbers: &[f64]) -> PyResult<()> {
-    divbandit_core::error::check_finite(name, numbers, numbers.len()).map_err(value_error)
 }
 
 /// Reads the probability of a choice that was made.

@@ -66,3 +66,57 @@ impl Policy for Ucb {
         self.asked[part] = self.asked[part].saturating_sub(1);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Means 2, 4, 1 of 2, 1, 3 rewards of up to 4, and ln 6 = 1.791759469228055.
+    const ESTIMATES: Estimates<'_> =
+        Estimates { means: &[2.0, 4.0, 1.0], counts: &[2.0, 1.0, 3.0], largest: 4.0 };
+
+    fn assert_near(got: &[f64], expected: &[f64]) {
+        assert_eq!(got.len(), expected.len());
+        for (got, expected) in got.iter().zip(expected) {
+            assert!((got / expected - 1.0).abs() < 1e-14, "{got} is not {expected}");
+        }
+    }
+
+    #[test]
+    fn bounds_of_ucb1() {
+        let mut policy = Ucb::new(2.0, 3);
+        let known = 2.0 * 1.791759469228055_f64;
+        let expected = [
+            2.0 + 4.0 * (known / 2.0).sqrt(), // 7.3543
+            4.0 + 4.0 * known.sqrt(),         // 11.5721
+            1.0 + 4.0 * (known / 3.0).sqrt(), // 5.3718
+        ];
+        assert_near(policy.bounds(&ESTIMATES), &expected);
+        let choice = policy.choose(&ESTIMATES, &mut || 0.99);
+        assert_eq!(choice, Choice { part: 1, probability: Some(1.0) });
+    }
+
+    #[test]
+    fn what_was_asked_counts_until_it_is_told() {
+        let mut policy = Ucb::new(2.0, 3);
+        policy.choose(&ESTIMATES, &mut || 0.5);
+        let known = 2.0 * 1.9459101490553132_f64; // ln 7
+        let once = [2.0 + 4.0 * (known / 2.0).sqrt(), 4.0 + 4.0 * (known / 2.0).sqrt()];
+        assert_near(&policy.bounds(&ESTIMATES)[..2], &once);
+        for _ in 0..2 {
+            policy.learn(1, 4.0, None);
+        }
+        let before = Ucb::new(2.0, 3).bounds(&ESTIMATES).to_vec();
+        assert_eq!(policy.bounds(&ESTIMATES), before);
+    }
+
+    #[test]
+    fn bounds_of_parts_never_tried_are_infinite() {
+        let estimates = Estimates { counts: &[1.0, 0.0, 3.0], ..ESTIMATES };
+        let mut policy = Ucb::new(0.6, 3);
+        let known = 0.6 * 1.3862943611198906_f64; // ln 4
+        let bounds = policy.bounds(&estimates);
+        assert_eq!(bounds[1], f64::INFINITY);
+        assert_near(&bounds[..1], &[2.0 + 4.0 * known.sqrt()]);
+    }
+}

@@ -196,8 +196,6 @@ TABLE = [
     ("Gymnasium", "steps", FROM_1 | NONE, lambda _, x: episodes(steps=x)),
     ("Gymnasium", "seed", COUNTS | NONE, lambda _, x: episodes(seed=x)),
     ("Gymnasium", "sensory_space", WRONG_SPACES, lambda _, x: episodes(sensory_space=x)),
-    ("Gymnasium", "envs", FROM_1 | NONE, lambda _, x: episodes(envs=x)),
-    ("Gymnasium", "vector", {"None": None, "many": "many"}, lambda _, x: episodes(vector=x)),
     ("Gymnasium()", "command", BATCH | BEYOND, lambda _, x: episodes()(x)),
     ("Gymnasium.episode", "command", POINTS | BEYOND, lambda _, x: episodes().episode(x)),
     ("Tracking", "primitives", NOT_PRIMITIVES, lambda _, x: tracking(primitives=x)),

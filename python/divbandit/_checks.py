@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from divbandit._core import as_point
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.random import Generator, SeedSequence
+    from numpy.typing import ArrayLike
 
     Rng = Generator | SeedSequence | int | None
 
@@ -48,6 +51,11 @@ def whole(name: str, value: object, *, low: int, high: int | None = None) -> int
         bounds = f"at least {low}" if high is None else f"from {low} to {high}"
         raise ValueError(f"{name} must be {bounds}, got {number}")
     return number
+
+
+def floats(name: str, value: ArrayLike, dim: int | None = None) -> tuple[float, ...]:
+    """Return a finite point of `dim` coordinates as a tuple, or say what is wrong with it."""
+    return tuple(as_point(name, value, dim).tolist())
 
 
 def truth(name: str, value: object) -> bool:

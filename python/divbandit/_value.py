@@ -78,7 +78,11 @@ def _written(argument: object) -> str:
     """Return an argument as it is written in a call."""
     if type(argument) in {tuple, list}:
         return f"[{', '.join(map(_written, argument))}]"  # type: ignore[call-overload]
-    return named(argument) if callable(argument) and not isinstance(argument, Value) else repr(argument)
+    return (
+        named(argument)
+        if callable(argument) and not isinstance(argument, Value)
+        else repr(argument)
+    )
 
 
 def _made(kind: type[Value], arguments: dict[str, Any]) -> Value:

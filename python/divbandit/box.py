@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from divbandit._core import Bounds, as_point
+from divbandit._value import Value
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -25,7 +27,8 @@ class BoxLike(Protocol):
         """Highest corner."""
 
 
-class Box:
+@dataclass(frozen=True, init=False, repr=False, eq=False)
+class Box(Value):
     """The box of all points between two corners.
 
     Parameters
@@ -38,12 +41,12 @@ class Box:
     low, high : numpy.ndarray of float64, shape (dim,)
         The corners, read-only.
     bounds : object
-        The same for the compiled kernels.
+        The same for the compiled code.
 
     Raises
     ------
     TypeError, ValueError
-        If a corner is no finite point, they differ in length, or ``low > high`` somewhere.
+        If a corner is not a finite point, they differ in length, or ``low > high`` somewhere.
 
     Examples
     --------
@@ -60,13 +63,16 @@ class Box:
     low: NDArray[np.float64]
     high: NDArray[np.float64]
 
+    if TYPE_CHECKING:
+        bounds: Bounds
+
     def __init__(self, low: ArrayLike, high: ArrayLike) -> None:
-        self.bounds = Bounds(low, high)
-        self.low, self.high = self.bounds.low, self.bounds.high
+        bounds = Bounds(low, high)
+        self._set(low=bounds.low, high=bounds.high, bounds=bounds)
 
     @classmethod
     def of(cls, value: BoxLike, *, name: str = "box") -> Box:
-        """Return `value` as a Box if it is not one already.
+        """Return `value` as a Box.
 
         Parameters
         ----------
@@ -79,7 +85,7 @@ class Box:
         TypeError
             If it has no ``low`` and ``high``.
         ValueError
-            If these are no corners of a box.
+            If they are not the corners of a box.
 
         Examples
         --------
@@ -105,7 +111,7 @@ class Box:
         return len(self.low)
 
     def sample(self, rng: Generator) -> NDArray[np.float64]:
-        """Draw a point uniformly: one ``rng.random()`` a coordinate, in order.
+        """Draw a point uniformly, with one ``rng.random()`` per coordinate, in order.
 
         Parameters
         ----------
@@ -130,7 +136,7 @@ class Box:
         return self.bounds.sample(rng)
 
     def sample_many(self, n: int, rng: Generator) -> NDArray[np.float64]:
-        """Draw `n` points: what as many calls of `sample` draw.
+        """Draw `n` points, the same as `n` calls of `sample`.
 
         Parameters
         ----------
@@ -144,7 +150,7 @@ class Box:
         Raises
         ------
         TypeError, ValueError
-            If `n` is no whole number, or negative, or `rng` is not a Generator.
+            If `n` is not a whole number, or negative, or `rng` is not a Generator.
 
         Examples
         --------
@@ -156,11 +162,11 @@ class Box:
         """
         if type(self) is Box:
             return self.bounds.sample_many(n, rng)
-        # A box of one's own may draw in another way.
+        # A derived class may override `sample`.
         return np.array([self.sample(rng) for _ in range(n)]).reshape(n, self.dim)
 
     def contains(self, point: ArrayLike) -> bool:
-        """Say whether `point` lies in the box, its faces included.
+        """Return whether `point` lies in the box or on its boundary.
 
         Parameters
         ----------
@@ -169,7 +175,7 @@ class Box:
         Raises
         ------
         TypeError, ValueError
-            If it is no finite point of this dimension.
+            If it is not a finite point of this dimension.
 
         Examples
         --------
@@ -191,5 +197,7 @@ class Box:
     def __repr__(self) -> str:
         return f"Box({self.low.tolist()}, {self.high.tolist()})"
 
-    def __reduce__(self) -> tuple[type[Box], tuple[list[float], list[float]]]:
-        return type(self), (self.low.tolist(), self.high.tolist())
+
+def box_or_none(name: str, value: BoxLike | None) -> Box | None:
+    """Return an optional argument as a Box, or None."""
+    return None if value is None else Box.of(value, name=name)

@@ -14,7 +14,7 @@ def of_the_library(primitives, command, steps):
     weights = command.reshape(primitives.dofs, -1)
     dmp = DMP(primitives.dofs, execution_time=1.0, dt=1 / steps, n_weights_per_dim=primitives.basis)
     goals = primitives.start if primitives.goals is None else weights[:, primitives.basis]
-    dmp.configure(start_y=primitives.start.copy(), goal_y=np.array(goals))
+    dmp.configure(start_y=np.array(primitives.start), goal_y=np.array(goals))
     dmp.set_weights((weights[:, : primitives.basis] * primitives.scales).ravel())
     rows = dmp.open_loop()[1]
     return rows[:: steps // primitives.steps]

@@ -47,11 +47,6 @@ def last(episode):
     return episode.observations[-1]
 
 
-def story(episode):
-    """Return numbers that tell most episodes apart."""
-    return [*episode.observations[-1], len(episode), episode.terminated, episode.info["age"]]
-
-
 HOLD = db.FunctionController(hold, db.Box([-1, -1], [1, 1]))
 
 

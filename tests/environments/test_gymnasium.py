@@ -6,7 +6,7 @@ import subprocess
 import sys
 import threading
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
-from dataclasses import FrozenInstanceError
+from dataclasses import FrozenInstanceError, replace
 from functools import partial
 from multiprocessing import get_context
 from types import SimpleNamespace
@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from tests.environments.small_envs import HOLD, Cart, cart, hold, last, story
+from tests.environments.small_envs import HOLD, Cart, cart, hold, last
 
 COMMANDS = np.random.default_rng(5).uniform(-1, 1, (23, 2))
 
@@ -136,8 +136,6 @@ def test_other_spaces_than_boxes():
         ({"seed": -1}, ValueError, "seed must be at least 0, got -1"),
         ({"seed": None}, TypeError, "seed must be a whole number"),
         ({"sensory_space": 3}, TypeError, "sensory_space"),
-        ({"envs": 0}, ValueError, "envs must be at least 1"),
-        ({"vector": "both"}, ValueError, "vector must be one of 'sync', 'async'"),
     ],
 )
 def test_wrong_arguments(wrong, error, says):
@@ -206,7 +204,7 @@ def test_effects_of_several_lengths_are_refused():
         uneven([[0, 0], [1, 0]])
 
 
-# Environments are made when they are needed, one a thread, and closed.
+# Environments are made when they are needed, one for each thread, and closed.
 
 
 class Counted(Cart):
@@ -259,13 +257,35 @@ def test_threads_in_an_episode_have_an_environment_each(counted):
             both.wait()
         return command
 
-    counted.controller = db.FunctionController(meet, HOLD.motor_space)
+    meeting = replace(counted, controller=db.FunctionController(meet, HOLD.motor_space))
     with ThreadPoolExecutor(2) as threads:
-        effects = list(threads.map(counted, COMMANDS[:8]))
+        effects = list(threads.map(meeting, COMMANDS[:8]))
     assert Counted.made == 2
     np.testing.assert_array_equal(effects, cart()(COMMANDS[:8]))
-    counted.close()
+    meeting.close()
     assert Counted.closed == 2
+
+
+def test_one_that_is_in_an_episode_is_closed_at_its_end():
+    bodies = []
+
+    class Closing(Cart):
+        is_open = True
+
+        def reset(self, **options):
+            bodies.append(self)
+            environment.close()
+            assert self.is_open
+            return super().reset(**options)
+
+        def close(self):
+            self.is_open = False
+
+    environment = cart(make=Closing)
+    environment(COMMANDS[0])
+    environment(COMMANDS[0])
+    assert [body.is_open for body in bodies] == [False, False]
+    assert bodies[0] is not bodies[1]
 
 
 def test_a_pickle_holds_no_environment(counted):
@@ -276,47 +296,6 @@ def test_a_pickle_holds_no_environment(counted):
     assert Counted.made == 2
     assert repr(copy) == repr(counted)
     assert "Counted" in repr(copy)
-
-
-# Several episodes side by side have the same effects as one by one.
-
-
-SLOW = COMMANDS / 3
-STORY = {"effect": story, "steps": 20}
-
-
-@pytest.mark.parametrize("envs", [2, 3, 40])
-def test_side_by_side_in_turns(envs):
-    """Episodes end after 4 to 20 steps, and 23 is no multiple of any."""
-    alone = cart(**STORY)(SLOW)
-    assert len(set(alone[:, 2])) > 4
-    with cart(**STORY, envs=envs) as several:
-        for _ in range(2):
-            assert several(SLOW).tobytes() == alone.tobytes()
-        assert several(SLOW[:0]).shape == (0, 0)
-        assert several(SLOW[3]).tobytes() == alone[3].tobytes()
-
-
-def test_side_by_side_in_processes():
-    alone = cart(**STORY)(SLOW)
-    with cart(**STORY, envs=2, vector="async") as several:
-        assert several(SLOW).tobytes() == alone.tobytes()
-        assert several(SLOW[::-1]).tobytes() == alone[::-1].tobytes()
-
-
-def refuse(command, step, observation):  # noqa: ARG001
-    if command[0] > 0.9:
-        raise KeyError("not so fast")
-    return command
-
-
-@pytest.mark.parametrize("vector", ["sync", "async"])
-def test_side_by_side_errors_are_those_of_one_by_one(vector):
-    controller = db.FunctionController(refuse, HOLD.motor_space)
-    with cart(controller=controller, envs=2, vector=vector) as several:
-        with pytest.raises(KeyError, match="not so fast"):
-            several([[0, 0], [0.95, 0], [0, 0]])
-        assert several(COMMANDS[:3]).tobytes() == cart()(COMMANDS[:3]).tobytes()
 
 
 # Explorations, and executors.

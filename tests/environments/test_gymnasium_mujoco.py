@@ -152,18 +152,9 @@ def test_the_reacher_s_first_joint_can_be_led_round_and_round():
     assert angles[-1] > 2 * math.pi
 
 
-@pytest.mark.parametrize("vector", ["sync", "async"])
-def test_side_by_side_they_have_the_same_effects(vector):
-    with pusher() as alone, pusher(envs=2, vector=vector) as several:
-        commands = commands_of(alone, 9)
-        assert several(commands).tobytes() == alone(commands).tobytes()
-
-
 @pytest.mark.parametrize("make", MAKES.values(), ids=MAKES)
 def test_wrong_primitives(make):
     with pytest.raises(TypeError, match="primitives must have motor_space and trajectory"):
         make(3)
-    with pytest.raises(ValueError, match="envs must be at least 1"):
-        make(envs=0)
     with make(ViaPoints([-1] * 3, [1] * 3, steps=5)) as three_joints, pytest.raises(ValueError):  # noqa: PT011
         three_joints(np.zeros(3))

@@ -39,11 +39,9 @@ def test_over_takes_seeds_one_by_one():
     assert next(tasks).rng == 1
 
 
-def test_it_says_what_it_is():
-    assert repr(db.Task(None, db.MotorBabbling(), 10, 3)) == (
-        "Task(environment=None, strategy=MotorBabbling(), n=10, rng=3, "
-        "engine='auto', keep_commands=True)"
-    )
+def test_its_repr_omits_defaults():
+    task = db.Task(db.PlanarArm(2), db.MotorBabbling(), 10, engine="rust")
+    assert repr(task) == "Task(PlanarArm(2), MotorBabbling(), 10, engine='rust')"
 
 
 def test_it_can_be_pickled():

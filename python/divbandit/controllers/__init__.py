@@ -1,4 +1,4 @@
-"""Controllers: what turns a motor command into what drives a body."""
+"""Controllers: from a motor command to what drives a body."""
 
 from divbandit.controllers.function import FunctionController
 from divbandit.controllers.movement_primitives import MovementPrimitives

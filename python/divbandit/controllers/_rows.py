@@ -14,15 +14,7 @@ if TYPE_CHECKING:
 
 
 def motor_space_of(primitives: object) -> Box:
-    """Return the motor space of what makes trajectories, or say what it lacks.
-
-    Examples
-    --------
-    >>> motor_space_of(7)
-    Traceback (most recent call last):
-        ...
-    TypeError: primitives must have motor_space and trajectory(command), got int
-    """
+    """Return the motor space of an object that makes trajectories, or say what it lacks."""
     if not isinstance(primitives, Trajectories):
         raise TypeError(
             "primitives must have motor_space and trajectory(command), "
@@ -32,16 +24,7 @@ def motor_space_of(primitives: object) -> Box:
 
 
 def rows_of(primitives: Trajectories, command: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the trajectory of a command, shape (steps + 1, dofs), or say what is wrong with it.
-
-    Examples
-    --------
-    >>> from types import SimpleNamespace
-    >>> rows_of(SimpleNamespace(trajectory=lambda command: command), np.zeros(2))
-    Traceback (most recent call last):
-        ...
-    ValueError: primitives.trajectory must return an array of shape (steps + 1, dofs), got (2,)
-    """
+    """Return the trajectory of a command, shape (steps + 1, dofs), or say what is wrong with it."""
     given = primitives.trajectory(command)
     try:
         rows = np.array(given, dtype=np.float64)

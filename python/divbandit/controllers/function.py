@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from divbandit._library import named
+from divbandit._value import Value
 from divbandit.box import Box, BoxLike
 
 if TYPE_CHECKING:
@@ -17,41 +18,38 @@ if TYPE_CHECKING:
     from divbandit.controllers.protocol import Policy
 
 
-class FunctionController:
+@dataclass(frozen=True, init=False, repr=False)
+class FunctionController(Value):
     """A function ``(command, step, observation) -> action`` as a controller.
 
     Parameters
     ----------
     f : callable
         Takes the motor command, a read-only array of shape (m,), the number of the step, from 0,
-        and what was observed before it; returns the action.
+        and the observation before it; returns the action.
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
-
-    Attributes
-    ----------
-    f
-        As given.
-    motor_space : Box
 
     Raises
     ------
     TypeError, ValueError
-        If `f` cannot be called, or `motor_space` is no box.
+        If `f` is not callable, or `motor_space` is not a box.
 
     Examples
     --------
-    A spring and a damper, whose strengths are the command.
+    A spring and a damper whose strengths are the command.
 
     >>> import numpy as np
     >>> import divbandit as db
+    >>> from divbandit.controllers import FunctionController
     >>> def spring(command, step, observation):
     ...     return -command[0] * observation[:1] - command[1] * observation[1:]
-    >>> act = db.FunctionController(spring, db.Box([0, 0], [1, 1])).begin(np.array([1.0, 0.5]))
+    >>> act = FunctionController(spring, db.Box([0, 0], [1, 1])).begin(np.array([1.0, 0.5]))
     >>> act(0, np.array([0.25, 1.0]))
     array([-0.75])
     """
 
+    f: Callable[[NDArray[np.float64], int, Any], ArrayLike]
     motor_space: Box
 
     def __init__(
@@ -61,11 +59,10 @@ class FunctionController:
     ) -> None:
         if not callable(f):
             raise TypeError(f"f must be callable, got {type(f).__name__}")
-        self.f = f
-        self.motor_space = Box.of(motor_space, name="motor_space")
+        self._set(f=f, motor_space=Box.of(motor_space, name="motor_space"))
 
     def begin(self, command: NDArray[np.float64]) -> Policy:
-        """Return what acts in an episode of this command: the function, given the command.
+        """Return the policy of an episode: the function with its first argument fixed.
 
         Parameters
         ----------
@@ -80,11 +77,9 @@ class FunctionController:
         --------
         >>> import numpy as np
         >>> import divbandit as db
-        >>> shake = db.FunctionController(lambda x, step, _: x * (-1) ** step, db.Box([0], [1]))
+        >>> from divbandit.controllers import FunctionController
+        >>> shake = FunctionController(lambda x, step, _: x * (-1) ** step, db.Box([0], [1]))
         >>> shake.begin(np.array([0.5]))(1, None)
         array([-0.5])
         """
         return partial(self.f, command)
-
-    def __repr__(self) -> str:
-        return f"FunctionController({named(self.f)}, {self.motor_space!r})"

@@ -1,9 +1,11 @@
-"""OpenLoop: the rows of a trajectory are the actions, whatever is observed."""
+"""OpenLoop: the rows of a trajectory are the actions; observations are ignored."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from divbandit._value import Value
 from divbandit.controllers._rows import motor_space_of, rows_of
 
 if TYPE_CHECKING:
@@ -14,7 +16,8 @@ if TYPE_CHECKING:
     from divbandit.controllers.protocol import Policy, Trajectories
 
 
-class OpenLoop:
+@dataclass(frozen=True, init=False, repr=False)
+class OpenLoop(Value):
     """A controller that plays a trajectory back: the action of step k is its row k.
 
     After the last row it repeats the last row.
@@ -26,38 +29,39 @@ class OpenLoop:
 
     Attributes
     ----------
-    primitives
-        As given.
     motor_space : Box
         That of `primitives`.
 
     Raises
     ------
     TypeError, ValueError
-        If `primitives` makes no trajectories, or its motor space is no box.
+        If `primitives` does not make trajectories, or its motor space is not a box.
 
     Examples
     --------
     >>> from types import SimpleNamespace
     >>> import numpy as np
     >>> import divbandit as db
+    >>> from divbandit.controllers import OpenLoop
     >>> ramp = SimpleNamespace(
     ...     motor_space=db.Box([-1], [1]),
     ...     trajectory=lambda command: np.linspace([0.0], command, 3),
     ... )
-    >>> act = db.OpenLoop(ramp).begin(np.array([1.0]))
+    >>> act = OpenLoop(ramp).begin(np.array([1.0]))
     >>> [float(act(step, None)[0]) for step in range(4)]
     [0.0, 0.5, 1.0, 1.0]
     """
 
-    motor_space: Box
+    primitives: Trajectories
+
+    if TYPE_CHECKING:
+        motor_space: Box
 
     def __init__(self, primitives: Trajectories) -> None:
-        self.motor_space = motor_space_of(primitives)
-        self.primitives = primitives
+        self._set(primitives=primitives, motor_space=motor_space_of(primitives))
 
     def begin(self, command: NDArray[np.float64]) -> Policy:
-        """Return what acts in an episode of this command.
+        """Return the policy of an episode.
 
         Parameters
         ----------
@@ -71,7 +75,7 @@ class OpenLoop:
         Raises
         ------
         ValueError
-            If `primitives` returns no trajectory.
+            If `primitives` does not return a trajectory.
 
         Examples
         --------
@@ -81,17 +85,14 @@ class OpenLoop:
         ...     motor_space = db.Box([-1, -1], [1, 1])
         ...     def trajectory(self, command):
         ...         return [command]
-        >>> db.OpenLoop(Stay()).begin(np.array([0.5, 0.0]))(7, None)
+        >>> db.controllers.OpenLoop(Stay()).begin(np.array([0.5, 0.0]))(7, None)
         array([0.5, 0. ])
         """
         rows = rows_of(self.primitives, command)
         last = len(rows) - 1
 
-        def act(step: int, observation: Any) -> NDArray[np.float64]:  # noqa: ANN401, ARG001 - blind
+        def act(step: int, observation: Any) -> NDArray[np.float64]:  # noqa: ANN401, ARG001 - ignored
             row: NDArray[np.float64] = rows[min(step, last)]
             return row
 
         return act
-
-    def __repr__(self) -> str:
-        return f"OpenLoop({self.primitives!r})"

@@ -1,4 +1,4 @@
-"""Controller: what turns a motor command into actions, one after the other."""
+"""Controller and Trajectories: what turns a motor command into actions or a trajectory."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class Controller(Protocol):
-    """What drives a body step by step, as a motor command says.
+    """What drives a body step by step, according to a motor command.
 
-    Anything with these two is one; no base class is needed.
+    Any object with these two attributes will do; no base class is needed.
 
     Examples
     --------
@@ -28,7 +28,7 @@ class Controller(Protocol):
     ...     motor_space = db.Box([-1], [1])
     ...     def begin(self, command):
     ...         return lambda step, observation: command
-    >>> isinstance(Push(), db.Controller)
+    >>> isinstance(Push(), db.controllers.Controller)
     True
     """
 
@@ -37,17 +37,18 @@ class Controller(Protocol):
         """M, the box of all motor commands."""
 
     def begin(self, command: NDArray[np.float64], /) -> Policy:
-        """Return what acts in an episode of this command, of shape (m,).
+        """Return the policy of an episode, for a command of shape (m,).
 
-        It is called with the number of the step, from 0, and what was observed before it, and
-        returns the action. It serves one episode and may remember; the controller itself may
-        serve several episodes at once, and must not.
+        The policy takes the number of the step, from 0, and the observation before it, and returns
+        the action. It serves a single episode and may have state. The controller must be without
+        state, as it may serve several episodes at once.
 
         Examples
         --------
         >>> import numpy as np
         >>> import divbandit as db
-        >>> hold = db.FunctionController(lambda command, step, seen: command, db.Box([-1], [1]))
+        >>> from divbandit.controllers import FunctionController
+        >>> hold = FunctionController(lambda command, step, seen: command, db.Box([-1], [1]))
         >>> hold.begin(np.array([0.5]))(0, None)
         array([0.5])
         """
@@ -57,7 +58,7 @@ class Controller(Protocol):
 class Trajectories(Protocol):
     """What turns a motor command into a trajectory, such as `MovementPrimitives`.
 
-    Anything with these two is one; no base class is needed.
+    Any object with these two attributes will do; no base class is needed.
 
     Examples
     --------
@@ -67,7 +68,7 @@ class Trajectories(Protocol):
     ...     motor_space = db.Box([-1], [1])
     ...     def trajectory(self, command):
     ...         return np.linspace([0.0], command, 11)
-    >>> isinstance(Ramp(), db.Trajectories)
+    >>> isinstance(Ramp(), db.controllers.Trajectories)
     True
     """
 
@@ -76,11 +77,11 @@ class Trajectories(Protocol):
         """M, the box of all motor commands."""
 
     def trajectory(self, command: NDArray[np.float64], /) -> ArrayLike:
-        """Return where it goes, shape (steps + 1, dofs); the first row is where it starts.
+        """Return a trajectory, shape (steps + 1, dofs); the first row is its start.
 
         Examples
         --------
         >>> import divbandit as db
-        >>> db.MovementPrimitives(2, basis=2, steps=50).trajectory([0] * 6).shape
+        >>> db.controllers.MovementPrimitives(2, basis=2, steps=50).trajectory([0] * 6).shape
         (51, 2)
         """

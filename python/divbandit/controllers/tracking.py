@@ -1,16 +1,17 @@
-"""Tracking: torques that make joints follow a trajectory, as springs and dampers would."""
+"""Tracking: torques that make joints follow a trajectory, like springs and dampers."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from divbandit._checks import real, truth
+from divbandit._checks import floats, positive, real, truth
 from divbandit._core import as_point
-from divbandit._library import named
+from divbandit._value import Value
 from divbandit.controllers._rows import motor_space_of, rows_of
 
 if TYPE_CHECKING:
@@ -24,11 +25,12 @@ if TYPE_CHECKING:
     Reading = Callable[[Any], ArrayLike]
 
 
-class Tracking:
+@dataclass(frozen=True, init=False, repr=False)
+class Tracking(Value):
     """A controller that makes joints follow a trajectory (a PD controller).
 
-    In step k it pulls towards row k + 1, where the joints should be when the step has ended, at
-    the speed that leads there from row k::
+    In step k it pulls towards row k + 1, where the joints should be at the end of the step, at the
+    velocity that leads there from row k::
 
         action = stiffness * (q_ref - q) + damping * (v_ref - v)
 
@@ -37,29 +39,26 @@ class Tracking:
     Parameters
     ----------
     primitives : object with ``motor_space`` and ``trajectory(command)``
-        Such as `MovementPrimitives`; a row is where the joints should be, in radians (or metres).
+        Such as `MovementPrimitives`; a row holds the target positions of the joints, in radians
+        (or metres).
     positions, velocities : callable
-        Read where the joints are, and how fast they move, out of an observation: two arrays of
-        shape (dofs,), in radians and radians a second.
+        Read the positions and the velocities of the joints from an observation: two arrays of
+        shape (dofs,), in radians and radians per second.
     dt : float
-        How long a step of the body takes, which is the time from row to row, in seconds.
+        The duration of a step, which is the time between rows, in seconds.
     stiffness, damping : float or array_like, shape (dofs,)
-        What is done about an error of one radian, and of one radian a second, in the units of
-        the actions; of all joints or of each. At least 0.
+        The action per radian of error, and per radian per second of error, of all joints or of
+        each. At least 0.
     limit : float or array_like, shape (dofs,), optional
-        The largest action, either way. Without one there is none but the body's own.
+        The largest absolute value of an action. By default only the body limits actions.
     turns : bool
-        Whether positions are known only up to whole turns, as those are that were found from a
-        cosine and a sine. Each is then taken for the one that is nearest to the one before; the
-        first, for that nearest to the trajectory's start. So a joint can be led round and round,
-        and is not sent the shorter way where a joint limit bars it.
+        Whether positions are known only up to full turns, for example because they are computed
+        from a cosine and a sine. Each position is then unwrapped: shifted by full turns to be
+        nearest to the previous one, and the first to the start of the trajectory. So a joint can
+        be led through several turns, and does not take the shorter way past a joint limit.
 
     Attributes
     ----------
-    primitives, positions, velocities, dt, turns
-        As given.
-    stiffness, damping : numpy.ndarray of float64, shape (dofs,) or ()
-    limit : numpy.ndarray of float64, shape (dofs,) or (), or None
     motor_space : Box
         That of `primitives`.
 
@@ -73,11 +72,12 @@ class Tracking:
     >>> from types import SimpleNamespace
     >>> import numpy as np
     >>> import divbandit as db
+    >>> from divbandit.controllers import Tracking
     >>> ramp = SimpleNamespace(
     ...     motor_space=db.Box([-1], [1]),
     ...     trajectory=lambda command: np.linspace([0.0], command, 11),
     ... )
-    >>> tracking = db.Tracking(
+    >>> tracking = Tracking(
     ...     ramp, lambda seen: seen[:1], lambda seen: seen[1:], dt=0.5, stiffness=2.0, damping=1.0
     ... )
     >>> act = tracking.begin(np.array([1.0]))
@@ -85,7 +85,17 @@ class Tracking:
     array([0.4])
     """
 
-    motor_space: Box
+    primitives: Trajectories
+    positions: Reading
+    velocities: Reading
+    dt: float
+    stiffness: float | tuple[float, ...]
+    damping: float | tuple[float, ...]
+    limit: float | tuple[float, ...] | None
+    turns: bool
+
+    if TYPE_CHECKING:
+        motor_space: Box
 
     def __init__(
         self,
@@ -99,21 +109,24 @@ class Tracking:
         limit: ArrayLike | None = None,
         turns: bool = False,
     ) -> None:
-        self.motor_space = motor_space_of(primitives)
+        motor_space = motor_space_of(primitives)
         for name, reading in (("positions", positions), ("velocities", velocities)):
             if not callable(reading):
                 raise TypeError(f"{name} must be callable, got {type(reading).__name__}")
-        self.primitives, self.positions, self.velocities = primitives, positions, velocities
-        self.dt = real("dt", dt)
-        if self.dt <= 0:
-            raise ValueError(f"dt must be above 0, got {dt!r}")
-        self.stiffness = _strength("stiffness", stiffness)
-        self.damping = _strength("damping", damping)
-        self.limit = None if limit is None else _strength("limit", limit)
-        self.turns = truth("turns", turns)
+        self._set(
+            primitives=primitives,
+            positions=positions,
+            velocities=velocities,
+            dt=positive("dt", dt),
+            stiffness=_strength("stiffness", stiffness),
+            damping=_strength("damping", damping),
+            limit=None if limit is None else _strength("limit", limit),
+            turns=truth("turns", turns),
+            motor_space=motor_space,
+        )
 
     def begin(self, command: NDArray[np.float64]) -> Policy:
-        """Return what acts in an episode of this command.
+        """Return the policy of an episode.
 
         Parameters
         ----------
@@ -122,14 +135,14 @@ class Tracking:
         Returns
         -------
         callable
-            ``(step, observation) -> action``, of shape (dofs,); for one episode, from step to
-            step.
+            ``(step, observation) -> action``, of shape (dofs,); for one episode, step by step.
 
         Raises
         ------
         ValueError
-            If `primitives` returns no trajectory, or one of other joints than there are
-            strengths for; and, when it is called, if there are other positions or velocities.
+            If `primitives` does not return a trajectory, or its number of joints is not that of
+            `stiffness`, `damping` or `limit`. The policy raises it if the number of positions or
+            velocities is another one.
 
         Examples
         --------
@@ -141,12 +154,12 @@ class Tracking:
         ...         return np.linspace([0.0], command, 5)
         >>> def angle(seen):
         ...     return [np.arctan2(seen[1], seen[0])]
-        >>> tracking = db.Tracking(
+        >>> tracking = db.controllers.Tracking(
         ...     Turn(), angle, lambda seen: seen[2:], dt=1, stiffness=1, damping=0, turns=True
         ... )
         >>> act = tracking.begin(np.array([8.0]))
         >>> errors = []
-        >>> for step in range(4):  # always where it should be; the next row is 2 rad ahead
+        >>> for step in range(4):  # on the trajectory; the next row is 2 rad ahead
         ...     q = 2.0 * step
         ...     errors.append(float(act(step, np.array([np.cos(q), np.sin(q), 0.0]))[0]))
         >>> np.round(errors, 9).tolist()
@@ -155,35 +168,27 @@ class Tracking:
         rows = rows_of(self.primitives, command)
         for name in ("stiffness", "damping", "limit"):
             strength = getattr(self, name)
-            if strength is not None and strength.shape not in {(), rows.shape[1:]}:
+            if isinstance(strength, tuple) and len(strength) != rows.shape[1]:
                 raise ValueError(
                     f"{name} must be one number or one for each of {rows.shape[1]} joints, "
-                    f"got {strength.size}"
+                    f"got {len(strength)}"
                 )
         return _Pursuit(self, rows)
 
-    def __repr__(self) -> str:
-        options = f"dt={self.dt!r}, stiffness={self.stiffness.tolist()!r}"
-        options += f", damping={self.damping.tolist()!r}"
-        if self.limit is not None:
-            options += f", limit={self.limit.tolist()!r}"
-        if self.turns:
-            options += ", turns=True"
-        readings = f"{named(self.positions)}, {named(self.velocities)}"
-        return f"Tracking({self.primitives!r}, {readings}, {options})"
-
 
 class _Pursuit:
-    """The pursuit of one trajectory."""
+    """The pursuit of one trajectory: the policy of an episode."""
 
     def __init__(self, tracking: Tracking, rows: NDArray[np.float64]) -> None:
         self._tracking = tracking
-        # A last row of its own is where the joints are held: nothing moves from there.
+        # The last row is repeated: the joints are held there, at velocity 0.
         self._rows = np.concatenate([rows, rows[-1:]])
         self._speeds = np.diff(self._rows, axis=0) / tracking.dt
         self._position = rows[0]
+        self._stiffness, self._damping = np.array(tracking.stiffness), np.array(tracking.damping)
+        self._limit = None if tracking.limit is None else np.array(tracking.limit)
 
-    def __call__(self, step: int, observation: Any) -> NDArray[np.float64]:  # noqa: ANN401 - the body's own
+    def __call__(self, step: int, observation: Any) -> NDArray[np.float64]:  # noqa: ANN401 - any
         tracking = self._tracking
         dofs = self._rows.shape[1]
         position = as_point("positions", tracking.positions(observation), dofs)
@@ -192,18 +197,16 @@ class _Pursuit:
             turns = np.rint((self._position - position) / math.tau)
             position = self._position = position + math.tau * turns
         row = min(step, len(self._speeds) - 1)
-        action: NDArray[np.float64] = tracking.stiffness * (self._rows[row + 1] - position)
-        action += tracking.damping * (self._speeds[row] - velocity)
-        if tracking.limit is not None:
-            action = np.clip(action, -tracking.limit, tracking.limit)
-        return action
+        action: NDArray[np.float64] = self._stiffness * (self._rows[row + 1] - position)
+        action += self._damping * (self._speeds[row] - velocity)
+        return action if self._limit is None else np.clip(action, -self._limit, self._limit)
 
 
-def _strength(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """Return one number or a list of them, none below 0."""
+def _strength(name: str, value: ArrayLike) -> float | tuple[float, ...]:
+    """Return a number or several, all at least 0, or say what is wrong with them."""
     if isinstance(value, Real):
-        return np.array(real(name, value, low=0))
-    strengths = as_point(name, value)
-    if (strengths < 0).any():
-        raise ValueError(f"{name} must be at least 0, got {strengths.min()} among its numbers")
+        return real(name, value, low=0)
+    strengths = floats(name, value)
+    if min(strengths) < 0:
+        raise ValueError(f"{name} must be at least 0, got {min(strengths)} among its numbers")
     return strengths

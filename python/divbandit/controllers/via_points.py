@@ -1,41 +1,41 @@
-"""ViaPoints: joints that go smoothly through positions which the command names."""
+"""ViaPoints: smooth trajectories through the positions that a command holds."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from divbandit._checks import whole
-from divbandit._core import as_point
+from divbandit._checks import floats, whole
+from divbandit._value import Value
 from divbandit.box import Box
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-class ViaPoints:
+@dataclass(frozen=True, init=False, repr=False)
+class ViaPoints(Value):
     """Trajectories through positions of all joints, evenly spaced in time.
 
-    From one to the next each joint goes with minimum jerk (Flash and Hogan 1985), and all come to
-    rest there. A command has the joints' positions at the first point, then at the second,
-    and so on.
+    Each joint moves from point to point with minimum jerk (Flash and Hogan 1985), and all joints
+    come to rest at each point. A command holds the positions of the joints at the first point, then
+    at the second, and so on.
 
     Parameters
     ----------
     low, high : array_like, shape (dofs,)
-        Between which positions the points lie, in radians (or metres).
+        The range of the positions, in radians (or metres).
     steps : int
-        How many steps a trajectory has.
+        Number of steps of a trajectory.
     points : int
-        How many points there are; at most `steps`.
+        Number of points; at most `steps`.
     start : array_like, shape (dofs,), optional
-        Where a trajectory starts. Without one, at 0.
+        Where a trajectory starts; 0 by default.
 
     Attributes
     ----------
-    low, high, start : numpy.ndarray of float64, shape (dofs,)
-    steps, points : int
     motor_space : Box
         [low, high] for each point, of ``points * dofs`` dimensions.
 
@@ -54,7 +54,17 @@ class ViaPoints:
     array([0.  , 0.5 , 1.  , 0.75, 0.5 ])
     """
 
-    motor_space: Box
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    steps: int
+    points: int
+    start: tuple[float, ...] | None
+
+    if TYPE_CHECKING:
+        motor_space: Box
+        #: Of each row: the index of the point before it, and the fraction of the way from there.
+        _before: NDArray[np.int64]
+        _fraction: NDArray[np.float64]
 
     def __init__(
         self,
@@ -66,17 +76,21 @@ class ViaPoints:
         start: ArrayLike | None = None,
     ) -> None:
         positions = Box(low, high)
-        self.low, self.high = positions.low, positions.high
-        self.steps = whole("steps", steps, low=1)
-        self.points = whole("points", points, low=1, high=self.steps)
-        at = np.zeros(positions.dim) if start is None else start
-        self.start = as_point("start", at, positions.dim)
-        self.motor_space = Box(np.tile(self.low, self.points), np.tile(self.high, self.points))
-        # Of each row: between which points it is, and what share of the way it has gone.
-        place = np.arange(self.steps + 1) * self.points
-        self._after = np.minimum(place // self.steps, self.points - 1)
-        time = (place - self._after * self.steps) / self.steps
-        self._share = time * time * time * (10.0 + time * (6.0 * time - 15.0))
+        steps = whole("steps", steps, low=1)
+        points = whole("points", points, low=1, high=steps)
+        place = np.arange(steps + 1) * points
+        before = np.minimum(place // steps, points - 1)
+        time = (place - before * steps) / steps
+        self._set(
+            low=tuple(positions.low.tolist()),
+            high=tuple(positions.high.tolist()),
+            steps=steps,
+            points=points,
+            start=None if start is None else floats("start", start, positions.dim),
+            motor_space=Box(np.tile(positions.low, points), np.tile(positions.high, points)),
+            _before=before,
+            _fraction=time * time * time * (10.0 + time * (6.0 * time - 15.0)),
+        )
 
     def trajectory(self, command: ArrayLike) -> NDArray[np.float64]:
         """Return the trajectory of one command, or those of many.
@@ -92,7 +106,7 @@ class ViaPoints:
         Raises
         ------
         TypeError, ValueError
-            If a command is no point of the motor space.
+            If a command is not a point of the motor space.
 
         Examples
         --------
@@ -102,14 +116,10 @@ class ViaPoints:
                [0.5, 1. ]])
         """
         commands = self.motor_space.bounds.commands(command)
-        many = commands.shape[:-1]
-        start = np.broadcast_to(self.start, (*many, 1, len(self.start)))
-        named = commands.reshape(*many, self.points, len(self.start))
-        points = np.concatenate([start, named], axis=-2)
-        before, after = points[..., self._after, :], points[..., self._after + 1, :]
-        way: NDArray[np.float64] = before + self._share[:, None] * (after - before)
-        return way
-
-    def __repr__(self) -> str:
-        text = f"{self.low.tolist()}, {self.high.tolist()}, steps={self.steps}"
-        return f"ViaPoints({text}, points={self.points}, start={self.start.tolist()})"
+        many, dofs = commands.shape[:-1], len(self.low)
+        start = np.zeros(dofs) if self.start is None else self.start
+        first = np.broadcast_to(start, (*many, 1, dofs))
+        points = np.concatenate([first, commands.reshape(*many, self.points, dofs)], axis=-2)
+        before, after = points[..., self._before, :], points[..., self._before + 1, :]
+        rows: NDArray[np.float64] = before + self._fraction[:, None] * (after - before)
+        return rows

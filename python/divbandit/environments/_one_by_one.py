@@ -1,4 +1,4 @@
-"""one_by_one: one effect of one command, many of many."""
+"""one_by_one: evaluate one command, or many in turn."""
 
 from __future__ import annotations
 
@@ -24,18 +24,8 @@ def one_by_one(
 ) -> NDArray[np.float64]:
     """Return the effect of one command, shape (s,), or the effects of many, shape (n, s).
 
-    Raises
-    ------
-    TypeError, ValueError
-        If a command is no point of the motor space, or an effect no finite point of the sensory
-        space, or of another dimension than those before.
-
-    Examples
-    --------
-    >>> import divbandit as db
-    >>> one_by_one(lambda x: 2 * x, [[0.5], [1.0]], db.Box([0], [1]), None)
-    array([[1.],
-           [2.]])
+    Raises a TypeError or a ValueError if a command is not a point of the motor space, or an effect
+    is not a finite point of the sensory space or of the dimension of the effects before it.
     """
     commands = motor_space.bounds.commands(command)
     length = None if sensory_space is None else sensory_space.dim

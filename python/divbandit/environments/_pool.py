@@ -1,4 +1,4 @@
-"""Pool: things that take long to make and serve one user at a time, kept for the next."""
+"""Pool: objects that are slow to make and serve one user at a time, kept for reuse."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ T = TypeVar("T", bound=_Closes)
 
 
 class Pool(Generic[T]):
-    """Things that nobody uses at the moment; there are as many as were ever used at once.
+    """Idle objects, lent to one user at a time; at most as many as were ever in use at once.
 
     Parameters
     ----------
     make : callable
-        Makes one.
+        Makes an object.
 
     Examples
     --------
@@ -48,16 +48,7 @@ class Pool(Generic[T]):
 
     @contextmanager
     def borrow(self) -> Iterator[T]:
-        """Lend one that nobody uses, or a new one; one that something went wrong with is closed.
-
-        Examples
-        --------
-        >>> from io import StringIO
-        >>> pool = Pool(StringIO)
-        >>> with pool.borrow() as text:
-        ...     text.write("hello")
-        5
-        """
+        """Lend an idle object, or a new one; it is closed if an error occurs meanwhile."""
         with self._lock:
             era = self._era
             lent = self._idle.pop() if self._idle else None
@@ -66,7 +57,7 @@ class Pool(Generic[T]):
         try:
             yield lent
         except BaseException:
-            with suppress(Exception):  # what went wrong is more important
+            with suppress(Exception):  # the first error matters more
                 lent.close()
             raise
         with self._lock:
@@ -77,19 +68,7 @@ class Pool(Generic[T]):
             lent.close()
 
     def close(self) -> None:
-        """Close those that nobody uses, and the others when they are given back.
-
-        Examples
-        --------
-        >>> from io import StringIO
-        >>> pool = Pool(StringIO)
-        >>> with pool.borrow() as text:
-        ...     pool.close()
-        ...     text.closed
-        False
-        >>> text.closed
-        True
-        """
+        """Close the idle objects now, and those in use when they are returned."""
         with self._lock:
             idle, self._idle = self._idle, []
             self._era += 1

@@ -22,13 +22,7 @@ if TYPE_CHECKING:
 
 
 def made(make: str | Callable[[], Env]) -> Env:
-    """Return the environment of an id, or what a callable makes.
-
-    Examples
-    --------
-    >>> made("Pendulum-v1").action_space
-    Box(-2.0, 2.0, (1,), float32)
-    """
+    """Return the environment of an id, or what a callable makes."""
     if isinstance(make, str):
         try:
             return gymnasium.make(make)
@@ -36,7 +30,7 @@ def made(make: str | Callable[[], Env]) -> Env:
             raise
         except (gymnasium.error.Error, ModuleNotFoundError) as error:
             if isinstance(error, ModuleNotFoundError) and ":" not in make:
-                raise  # the environment is registered, and lacks something itself
+                raise  # the environment is registered; a module that it needs is missing
             raise ValueError(
                 f"make must be the id of a registered environment, got {make!r}: {error}"
             ) from error
@@ -47,15 +41,7 @@ def made(make: str | Callable[[], Env]) -> Env:
 
 
 def rollout(env: Env, policy: Policy, steps: int, seed: int) -> Episode:
-    """Reset an environment and let a policy act in it, for so many steps or to its end.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> episode = rollout(made("Pendulum-v1"), lambda step, seen: np.array([9.0]), 3, seed=0)
-    >>> episode.observations.shape, episode.actions.tolist()
-    ((4, 3), [[2.0], [2.0], [2.0]])
-    """
+    """Reset an environment and let a policy act, for at most `steps` steps."""
     if not callable(policy):
         raise TypeError(
             f"controller.begin must return a callable policy, got {type(policy).__name__}"
@@ -82,7 +68,7 @@ def rollout(env: Env, policy: Policy, steps: int, seed: int) -> Episode:
 
 
 def _allowed(action: Any, space: Space[Any]) -> Any:  # noqa: ANN401 - of any space
-    """Return an action as the environment is told: clipped to a box, a member of other spaces."""
+    """Return an action clipped to a box, or check that it is a member of another space."""
     if not isinstance(space, Box):
         if not space.contains(action):
             raise ValueError(f"action must be a member of {space}, got {action!r}")
@@ -101,7 +87,7 @@ def _allowed(action: Any, space: Space[Any]) -> Any:  # noqa: ANN401 - of any sp
 
 
 def _kept(observation: Any, space: Space[Any]) -> Any:  # noqa: ANN401 - of any space
-    """Return a copy of an observation: an environment may write over what it returned."""
+    """Return a copy of an observation, as an environment may overwrite the one it returned."""
     if _holds_arrays(space):
         return np.array(observation, dtype=space.dtype)
     return copy.deepcopy(observation)
@@ -112,5 +98,5 @@ def _together(items: list[Any], space: Space[Any]) -> Any:  # noqa: ANN401 - of 
 
 
 def _holds_arrays(space: Space[Any]) -> bool:
-    """Say whether the members of a space are numbers or arrays of them."""
+    """Return whether the members of a space are numbers or arrays of numbers."""
     return isinstance(space.dtype, np.dtype) and space.dtype.kind in "biuf"

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class Environment(Protocol):
     """A black box f: M -> S (Benureau and Oudeyer 2015).
 
-    Anything with these three is one; no base class is needed.
+    Any object with these three attributes will do; no base class is needed.
 
     Examples
     --------
@@ -34,7 +34,7 @@ class Environment(Protocol):
 
     @property
     def sensory_space(self) -> BoxLike | None:
-        """A box in S from which goals make sense; None if it is not known."""
+        """A box in S to draw goals from; None if unknown."""
 
     def __call__(self, command: ArrayLike, /) -> ArrayLike:
         """Return the effect, shape (s,), of a command of shape (m,)."""

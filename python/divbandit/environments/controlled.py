@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
 
-from divbandit.box import Box, BoxLike
+from divbandit._value import Value
+from divbandit.box import Box, BoxLike, box_or_none
 from divbandit.controllers import Trajectories
 from divbandit.environments._one_by_one import one_by_one
 
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class Body(Protocol):
-    """What follows a trajectory, as `PlanarArm` and `PushArm` do.
+    """What can follow a trajectory, such as `PlanarArm` and `PushArm`.
 
     Examples
     --------
@@ -28,13 +30,14 @@ class Body(Protocol):
 
     @property
     def sensory_space(self) -> BoxLike | None:
-        """A box in S from which goals make sense; None if it is not known."""
+        """A box in S to draw goals from; None if unknown."""
 
     def follow(self, trajectory: NDArray[np.float64], /) -> ArrayLike:
         """Return the effect, shape (s,), of following a trajectory of shape (steps, dofs)."""
 
 
-class Controlled:
+@dataclass(frozen=True, init=False, repr=False)
+class Controlled(Value):
     """A body driven by a controller: f(command) = body.follow(controller.trajectory(command)).
 
     Parameters
@@ -54,20 +57,25 @@ class Controlled:
     Raises
     ------
     TypeError, ValueError
-        If one of them is not what it must be.
+        If an argument is not what it must be.
 
     Examples
     --------
     >>> import divbandit as db
+    >>> from divbandit.controllers import MovementPrimitives
     >>> arm = db.PlanarArm(5)
-    >>> moved = db.Controlled(arm, db.MovementPrimitives(5, limit=arm.limit))
+    >>> moved = db.environments.Controlled(arm, MovementPrimitives(5, limit=arm.limit))
     >>> moved.motor_space.dim
     30
     >>> run = db.explore(moved, db.GoalBabbling(0.05), n=50, rng=0)
     """
 
-    motor_space: Box
-    sensory_space: Box | None
+    body: Body
+    controller: Trajectories
+
+    if TYPE_CHECKING:
+        motor_space: Box
+        sensory_space: Box | None
 
     def __init__(self, body: Body, controller: Trajectories) -> None:
         if not isinstance(body, Body):
@@ -79,10 +87,12 @@ class Controlled:
                 "controller must have trajectory(command) and motor_space, "
                 f"got {type(controller).__name__}"
             )
-        self.body, self.controller = body, controller
-        self.motor_space = Box.of(controller.motor_space, name="controller.motor_space")
-        space = body.sensory_space
-        self.sensory_space = None if space is None else Box.of(space, name="body.sensory_space")
+        self._set(
+            body=body,
+            controller=controller,
+            motor_space=Box.of(controller.motor_space, name="controller.motor_space"),
+            sensory_space=box_or_none("body.sensory_space", body.sensory_space),
+        )
 
     def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
         """Return the effect of one command, or the effects of many, one by one.
@@ -98,13 +108,14 @@ class Controlled:
         Raises
         ------
         TypeError, ValueError
-            If a command is no point of the motor space, the body cannot follow the trajectory, or
-            what it returns is no finite point of the sensory space.
+            If a command is not a point of the motor space, the body cannot follow the trajectory,
+            or what it returns is not a finite point of the sensory space.
 
         Examples
         --------
         >>> import divbandit as db
-        >>> moved = db.Controlled(db.PlanarArm(2), db.MovementPrimitives(2, goals=None))
+        >>> primitives = db.controllers.MovementPrimitives(2, goals=None)
+        >>> moved = db.environments.Controlled(db.PlanarArm(2), primitives)
         >>> moved(moved.motor_space.low * 0).round(6)
         array([1., 0.])
         """
@@ -113,6 +124,3 @@ class Controlled:
     def _effect(self, command: NDArray[np.float64]) -> ArrayLike:
         trajectory = np.asarray(self.controller.trajectory(command), dtype=np.float64)
         return self.body.follow(trajectory)
-
-    def __repr__(self) -> str:
-        return f"Controlled({self.body!r}, {self.controller!r})"

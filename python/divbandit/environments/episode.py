@@ -1,4 +1,4 @@
-"""Episode: what was observed, done and rewarded from a reset to the end."""
+"""Episode: observations, actions and rewards from a reset to the end."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ class Episode:
     Parameters
     ----------
     observations : numpy.ndarray, shape (k + 1, ...)
-        What the reset and each step let observe. Where observations are no arrays of numbers, as
-        of spaces that are made of others, a list of them.
+        The observation after the reset and after each step. If observations are not arrays of
+        numbers, as in composite spaces, a list of them.
     actions : numpy.ndarray, shape (k, ...)
-        What was done in each step, as the environment was told; likewise.
+        The action of each step, as passed to the environment; likewise.
     rewards : numpy.ndarray of float64, shape (k,)
-        What each step earned.
+        The reward of each step.
     terminated, truncated : bool
-        Whether the last step led to an end of the episode, or to one of its time. Both are False
-        where it was left after as many steps as were asked for.
+        Whether the last step terminated the episode, or truncated it. Both are False if it was
+        left after the requested number of steps.
     info : mapping
-        What was told beside the last observation.
+        The information returned with the last observation.
 
     Examples
     --------
     >>> import numpy as np
-    >>> import divbandit as db
-    >>> episode = db.Episode(np.zeros((3, 4)), np.zeros((2, 1)), np.ones(2), True, False, {})
+    >>> from divbandit.environments import Episode
+    >>> episode = Episode(np.zeros((3, 4)), np.zeros((2, 1)), np.ones(2), True, False, {})
     >>> len(episode), episode.observations[-1]
     (2, array([0., 0., 0., 0.]))
     """

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from divbandit._checks import truth
-from divbandit.box import Box, BoxLike
+from divbandit._value import Value
+from divbandit.box import Box, BoxLike, box_or_none
 from divbandit.environments._one_by_one import one_by_one
 
 if TYPE_CHECKING:
@@ -16,7 +18,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-class FunctionEnvironment:
+@dataclass(frozen=True, init=False, repr=False)
+class FunctionEnvironment(Value):
     """A function f: M -> S and the spaces that it connects.
 
     Parameters
@@ -27,14 +30,14 @@ class FunctionEnvironment:
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
-        A box in S from which goals make sense. Without one, goal babbling must be given goals.
+        A box in S to draw goals from. Without it, goal babbling needs its own goals.
     scalars : bool
-        Whether `f` takes the m numbers of a command as so many arguments, each a float.
+        Whether `f` takes the m numbers of a command as m arguments, each a float.
 
     Raises
     ------
     TypeError, ValueError
-        If `f` cannot be called, or a space is no box.
+        If `f` is not callable, or a space is not a box.
 
     Examples
     --------
@@ -47,8 +50,10 @@ class FunctionEnvironment:
     array([0.25])
     """
 
+    f: Callable[..., ArrayLike]
     motor_space: Box
     sensory_space: Box | None
+    scalars: bool
 
     def __init__(
         self,
@@ -60,11 +65,11 @@ class FunctionEnvironment:
     ) -> None:
         if not callable(f):
             raise TypeError(f"f must be callable, got {type(f).__name__}")
-        self._f = f
-        self._scalars = truth("scalars", scalars)
-        self.motor_space = Box.of(motor_space, name="motor_space")
-        self.sensory_space = (
-            None if sensory_space is None else Box.of(sensory_space, name="sensory_space")
+        self._set(
+            f=f,
+            motor_space=Box.of(motor_space, name="motor_space"),
+            sensory_space=box_or_none("sensory_space", sensory_space),
+            scalars=truth("scalars", scalars),
         )
 
     def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
@@ -81,8 +86,8 @@ class FunctionEnvironment:
         Raises
         ------
         TypeError, ValueError
-            If a command is no point of the motor space, or `f` returns no finite point of the
-            sensory space.
+            If a command is not a point of the motor space, or `f` does not return a finite point of
+            the sensory space.
 
         Examples
         --------
@@ -95,11 +100,6 @@ class FunctionEnvironment:
         return one_by_one(self._effect, command, self.motor_space, self.sensory_space)
 
     def _effect(self, command: NDArray[np.float64]) -> ArrayLike:
-        effect = self._f(*command.tolist()) if self._scalars else self._f(command)
+        effect = self.f(*command.tolist()) if self.scalars else self.f(command)
         is_number = isinstance(effect, (int, float, np.number)) and not isinstance(effect, bool)
         return np.array([effect]) if is_number else effect
-
-    def __repr__(self) -> str:
-        name = getattr(self._f, "__name__", repr(self._f))
-        scalars = ", scalars=True" if self._scalars else ""
-        return f"FunctionEnvironment({name}, {self.motor_space!r}, {self.sensory_space!r}{scalars})"

@@ -1,7 +1,7 @@
-"""Two arms of MuJoCo as black boxes: Gymnasium's Reacher and its Pusher, driven by primitives.
+"""Two arms of MuJoCo as black boxes: Gymnasium's Reacher and Pusher, driven by primitives.
 
-Needs MuJoCo: ``pip install 'divbandit[mujoco]'``. The simulations are deterministic, but another
-version of MuJoCo or another processor may well compute other effects.
+Needs MuJoCo: ``pip install 'divbandit[mujoco]'``. The simulations are deterministic, but effects
+may differ between versions of MuJoCo and between processors.
 """
 
 from __future__ import annotations
@@ -16,67 +16,58 @@ from divbandit.controllers import Tracking, ViaPoints
 from divbandit.environments.gymnasium import GymnasiumEnvironment
 
 if TYPE_CHECKING:
-    from typing import Literal
-
     from numpy.typing import NDArray
 
     from divbandit.controllers import Trajectories
     from divbandit.environments.episode import Episode
 
-#: How long a step of each takes, in seconds, and how many they have.
+#: The duration of a step in seconds, and the number of steps.
 REACHER_DT, REACHER_STEPS = 0.02, 50
 PUSHER_DT, PUSHER_STEPS = 0.05, 100
 
-#: Between which angles the Pusher's seven joints are led, in radians: about the half of what
-#: their limits allow, in front of it and down to the table.
+#: The angles of the Pusher's seven joints, in radians, lie between these: about half of the range
+#: that the joints allow, in front of the arm and down to the table.
 PUSHER_LOW = (-1.0, 0.0, -0.5, -1.5, -0.5, -1.0, -1.0)
 PUSHER_HIGH = (1.5, 1.3, 0.5, 0.0, 0.5, 0.0, 1.0)
 
-#: In N m a radian and N m s a radian; the farther down the arm, the less there is to move.
+#: In N m per radian and N m s per radian; the joints near the gripper move less mass.
 PUSHER_STIFFNESS = (10.0, 10.0, 2.0, 5.0, 1.5, 1.5, 1.5)
 PUSHER_DAMPING = (3.0, 3.0, 0.4, 0.8, 0.25, 0.25, 0.25)
 
-#: With this seed the object stands 0.73 m from the Pusher's shoulder, at (0.645, -0.252).
+#: With this seed the object is 0.73 m from the Pusher's shoulder, at (0.645, -0.252).
 PUSHER_SEED = 8
 
 
-def reacher(
-    primitives: Trajectories | None = None,
-    *,
-    envs: int = 1,
-    vector: Literal["sync", "async"] = "sync",
-) -> GymnasiumEnvironment:
-    """Return Reacher-v5 as a black box: where two soft joints have led the fingertip in a second.
+def reacher(primitives: Trajectories | None = None) -> GymnasiumEnvironment:
+    """Return Reacher-v5 as a black box: where two joints lead the fingertip in a second.
 
-    Weak springs and dampers pull the joints along a trajectory; they come late and cut corners,
-    so that where the fingertip is at the end depends on all of the way there.
+    Weak springs and dampers pull the joints along a trajectory. The joints lag behind and cut
+    corners, so that the final position of the fingertip depends on the whole trajectory.
 
     Parameters
     ----------
     primitives : object with ``motor_space`` and ``trajectory(command)``, optional
-        Makes trajectories of two joints, in radians, a row each 0.02 s. Without one, `ViaPoints`
+        Makes trajectories of two joints, in radians, one row per 0.02 s. By default, `ViaPoints`
         through five points in [-pi, pi] x [-2.8, 2.8].
-    envs, vector
-        As those of `GymnasiumEnvironment`.
 
     Returns
     -------
     GymnasiumEnvironment
-        Effects are the fingertip's (x, y) in metres; the arm is 0.21 m long.
+        Effects are the position (x, y) of the fingertip in metres; the arm is 0.21 m long.
 
     Raises
     ------
     ModuleNotFoundError
         If MuJoCo or Gymnasium is not installed.
     TypeError, ValueError
-        If an argument is not what it must be.
+        If `primitives` is not what it must be.
 
     Examples
     --------
     >>> import numpy as np
     >>> from divbandit.environments.mujoco import reacher
     >>> with reacher() as environment:
-    ...     tip = environment(np.tile([np.pi / 2, 0.0], 5))  # up, and stay there
+    ...     tip = environment(np.tile([np.pi / 2, 0.0], 5))  # move up and stay there
     >>> environment.motor_space.dim, bool(tip[1] > 0.15)
     (10, True)
     """
@@ -89,7 +80,7 @@ def reacher(
         reacher_positions,
         reacher_velocities,
         dt=REACHER_DT,
-        stiffness=0.03,  # of the motors' largest torque, 200 N m, for each radian
+        stiffness=0.03,  # of the largest torque, 200 N m, per radian
         damping=0.03,
         turns=True,
     )
@@ -100,43 +91,34 @@ def reacher(
         REACHER_STEPS,
         seed=0,
         sensory_space=Box([-0.21, -0.21], [0.21, 0.21]),
-        envs=envs,
-        vector=vector,
     )
 
 
-def pusher(
-    primitives: Trajectories | None = None,
-    *,
-    envs: int = 1,
-    vector: Literal["sync", "async"] = "sync",
-) -> GymnasiumEnvironment:
-    """Return Pusher-v5 as a black box: where the object is after five seconds of an arm's motion.
+def pusher(primitives: Trajectories | None = None) -> GymnasiumEnvironment:
+    """Return Pusher-v5 as a black box: where an arm's motion of five seconds moves an object.
 
-    The arm of seven joints begins stretched out above the table. Two of three random commands
-    miss the object. It yields to a gripper that passes quickly, and is carried along by one that
-    goes on slowly, up to 15 cm.
+    The arm has seven joints and is initially stretched out above the table. Two of three random
+    commands miss the object. A fast gripper pushes it aside; a slow one carries it along, up to
+    15 cm.
 
     Parameters
     ----------
     primitives : object with ``motor_space`` and ``trajectory(command)``, optional
-        Makes trajectories of seven joints, in radians, a row each 0.05 s; they should start at 0.
-        Without one, `ViaPoints` through two points, from `PUSHER_LOW` to `PUSHER_HIGH`.
-    envs, vector
-        As those of `GymnasiumEnvironment`.
+        Makes trajectories of seven joints, in radians, one row per 0.05 s; they should start at 0.
+        By default, `ViaPoints` through two points between `PUSHER_LOW` and `PUSHER_HIGH`.
 
     Returns
     -------
     GymnasiumEnvironment
-        Effects are the object's (x, y) in metres; the sensory space is a square around where it
-        stands.
+        Effects are the final position (x, y) of the object in metres; the sensory space is a
+        square around its initial position.
 
     Raises
     ------
     ModuleNotFoundError
         If MuJoCo or Gymnasium is not installed.
     TypeError, ValueError
-        If an argument is not what it must be.
+        If `primitives` is not what it must be.
 
     Examples
     --------
@@ -165,8 +147,6 @@ def pusher(
         PUSHER_STEPS,
         seed=PUSHER_SEED,
         sensory_space=Box([0.45, -0.45], [0.85, -0.05]),
-        envs=envs,
-        vector=vector,
     )
 
 
@@ -184,7 +164,7 @@ def reacher_positions(observation: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def reacher_velocities(observation: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the velocities of Reacher's two joints, in radians a second.
+    """Return the velocities of Reacher's two joints, in radians per second.
 
     Examples
     --------
@@ -196,16 +176,16 @@ def reacher_velocities(observation: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def fingertip(episode: Episode) -> NDArray[np.float64]:
-    """Return where Reacher's fingertip was last, (x, y) in metres.
+    """Return the final position (x, y) of Reacher's fingertip in metres.
 
-    It is observed relative to the target, which is observed as well.
+    Observations hold its position relative to the target, and the position of the target.
 
     Examples
     --------
     >>> import numpy as np
-    >>> import divbandit as db
+    >>> from divbandit.environments import Episode
     >>> last = np.array([0, 0, 0, 0, 0.1, -0.1, 0, 0, 0.05, 0.2])
-    >>> fingertip(db.Episode(last[None], np.zeros(0), np.zeros(0), False, False, {})).round(12)
+    >>> fingertip(Episode(last[None], np.zeros(0), np.zeros(0), False, False, {})).round(12)
     array([0.15, 0.1 ])
     """
     last: NDArray[np.float64] = episode.observations[-1]
@@ -226,7 +206,7 @@ def pusher_positions(observation: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def pusher_velocities(observation: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the velocities of Pusher's seven joints, in radians a second.
+    """Return the velocities of Pusher's seven joints, in radians per second.
 
     Examples
     --------
@@ -238,14 +218,14 @@ def pusher_velocities(observation: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def pushed_object(episode: Episode) -> NDArray[np.float64]:
-    """Return where Pusher's object was last, (x, y) in metres.
+    """Return the final position (x, y) of Pusher's object in metres.
 
     Examples
     --------
     >>> import numpy as np
-    >>> import divbandit as db
+    >>> from divbandit.environments import Episode
     >>> last = np.arange(23.0)
-    >>> pushed_object(db.Episode(last[None], np.zeros(0), np.zeros(0), False, False, {}))
+    >>> pushed_object(Episode(last[None], np.zeros(0), np.zeros(0), False, False, {}))
     array([17., 18.])
     """
     last: NDArray[np.float64] = episode.observations[-1]

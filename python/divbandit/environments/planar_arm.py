@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from divbandit import _core
 from divbandit._checks import positive, truth
+from divbandit._value import Value
 from divbandit.box import Box
-from divbandit.environments.obstacles import checked
+from divbandit.environments.obstacles import checked, kernels
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -20,32 +22,34 @@ if TYPE_CHECKING:
     from divbandit._engine import Description
     from divbandit.environments.obstacles import Obstacle
 
-#: The thinnest links that can be followed, in metres.
+#: The smallest thickness of links, in metres.
 _THINNEST = 1e-6
 
 
-class PlanarArm:
+@dataclass(frozen=True, init=False, repr=False)
+class PlanarArm(Value):
     """A planar arm: joint angles in, position of the tip out.
 
-    The environment of Benureau and Oudeyer (2015). Its segments are equal and
-    together 1 m long, its base is at the origin. Each angle, in radians, is relative to the
-    segment before; with all of them 0 the arm lies along +x.
+    The environment of Benureau and Oudeyer (2015). Its segments have equal length and are
+    together 1 m long; its base is at the origin. Each angle, in radians, is relative to the
+    previous segment; with all angles 0 the arm lies along +x.
 
     Parameters
     ----------
     joints : int
         Number of joints, from 1 to 100,000.
     limit : float
-        Every joint's limit in radians: angles lie in [-limit, limit].
+        The limit of every joint in radians: angles lie in [-limit, limit].
     thickness : float
-        Of its links, in metres; they are capsules, that is, their ends are rounded. It matters
-        where they can touch something, and is at least 1e-6 and less than a link is long then.
+        Thickness of the links, in metres. Links are capsules: their ends are rounded. It matters
+        only if there are obstacles or self-contact; it is then at least 1e-6 and less than the
+        length of a link.
     obstacles : iterable of Disc, Rectangle, Polygon and Wall
-        What is in its way. The arm moves from rest, all angles 0, along the straight line in joint
-        space, and stops at the first contact: the effect is where the tip is then. Contact is found
-        to 1e-9 of the way; the clearance left is positive.
+        What is in the way. The arm moves from rest, all angles 0, along the straight line in joint
+        space and stops at the first contact: the effect is the position of the tip there. The
+        contact is located to within 1e-9 of the motion, always on the side where the arm is clear.
     self_contact : bool
-        Whether links that are no neighbours stop each other, too.
+        Whether links that are not neighbours stop each other, too.
 
     Attributes
     ----------
@@ -58,7 +62,7 @@ class PlanarArm:
     ------
     TypeError, ValueError
         If `joints` is not a whole number in its range, `limit` is not positive and finite, or the
-        arm at rest touches an obstacle.
+        arm touches an obstacle at rest.
 
     Examples
     --------
@@ -71,15 +75,26 @@ class PlanarArm:
     array([[1., 0.],
            [0., 1.]])
 
-    With a post in its way, one link stops where its side touches it:
+    With a post in the way, a single link stops when its side touches the post:
 
-    >>> arm = db.PlanarArm(1, thickness=0.02, obstacles=[db.Disc([0, 0.5], 0.1)])
+    >>> post = db.environments.Disc([0, 0.5], 0.1)
+    >>> arm = db.PlanarArm(1, thickness=0.02, obstacles=[post])
     >>> arm([math.radians(150)]).round(6)
     array([0.22  , 0.9755])
     """
 
-    motor_space: Box
-    sensory_space: Box
+    joints: int
+    limit: float
+    thickness: float
+    obstacles: tuple[Obstacle, ...]
+    self_contact: bool
+
+    if TYPE_CHECKING:
+        motor_space: Box
+        sensory_space: Box
+        #: What the engine explores, and what moves among obstacles.
+        _kernel: _core.PlanarArm | _core.ObstructedArm | _core.PushArm
+        _moving: _core.ObstructedArm | _core.PushArm
 
     def __init__(
         self,
@@ -90,42 +105,29 @@ class PlanarArm:
         obstacles: Iterable[Obstacle] = (),
         self_contact: bool = False,
     ) -> None:
-        self._kernel = _core.PlanarArm(joints, limit)
-        self.obstacles = checked(obstacles)
-        self._thickness = positive("thickness", thickness)
-        self._self_contact = truth("self_contact", self_contact)
-        kernels = [each._kernel for each in self.obstacles]  # noqa: SLF001 - made for this
-        self._free = not (kernels or self_contact)
-        # Where nothing can be touched any thickness will do.
-        thick = _THINNEST if self._free else self._thickness
-        self._obstructed = _core.ObstructedArm(self._kernel, thick, kernels, self._self_contact)
-        self._moving: _core.ObstructedArm | _core.PushArm = self._obstructed
-        highest = np.full(self._kernel.joints, self._kernel.limit)
-        self.motor_space = Box(-highest, highest)
-        self.sensory_space = Box([-1, -1], [1, 1])
-
-    @property
-    def joints(self) -> int:
-        """The number of joints."""
-        return self._kernel.joints
-
-    @property
-    def limit(self) -> float:
-        """Every joint's limit, in radians."""
-        return self._kernel.limit
-
-    @property
-    def thickness(self) -> float:
-        """How thick its links are, in metres."""
-        return self._thickness
-
-    @property
-    def self_contact(self) -> bool:
-        """Whether links that are no neighbours stop each other."""
-        return self._self_contact
+        arm = _core.PlanarArm(joints, limit)
+        obstacles = checked(obstacles)
+        thickness = positive("thickness", thickness)
+        self_contact = truth("self_contact", self_contact)
+        free = not (obstacles or self_contact)
+        # A free arm touches nothing, so that any thickness will do.
+        thick = _THINNEST if free else thickness
+        moving = _core.ObstructedArm(arm, thick, kernels(obstacles), self_contact)
+        highest = np.full(arm.joints, arm.limit)
+        self._set(
+            joints=arm.joints,
+            limit=arm.limit,
+            thickness=thickness,
+            obstacles=obstacles,
+            self_contact=self_contact,
+            motor_space=Box(-highest, highest),
+            sensory_space=Box([-1, -1], [1, 1]),
+            _kernel=arm if free else moving,
+            _moving=moving,
+        )
 
     def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return the tip's position for one command or for many.
+        """Return the position of the tip for one command, or for each of many.
 
         Parameters
         ----------
@@ -140,7 +142,7 @@ class PlanarArm:
         Raises
         ------
         TypeError, ValueError
-            If it has another shape, or an angle is not finite or beyond the limit.
+            If the shape is wrong, or an angle is not finite or beyond the limit.
 
         Examples
         --------
@@ -148,10 +150,10 @@ class PlanarArm:
         >>> db.PlanarArm(3)([0, 0, 0])
         array([1., 0.])
         """
-        return (self._kernel if self._free else self._moving).effect(command)
+        return self._kernel.effect(command)
 
     def posture(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return where the arm lies: the base, each joint's far end and, last, the tip.
+        """Return the posture of the arm: its base, then the far end of each segment, up to the tip.
 
         Parameters
         ----------
@@ -166,7 +168,7 @@ class PlanarArm:
         Raises
         ------
         TypeError, ValueError
-            If it has another shape, or an angle is not finite or beyond the limit.
+            If the shape is wrong, or an angle is not finite or beyond the limit.
 
         Examples
         --------
@@ -176,10 +178,10 @@ class PlanarArm:
                [0.5, 0. ],
                [1. , 0. ]])
         """
-        return (self._kernel if self._free else self._moving).posture(command)
+        return self._kernel.posture(command)
 
     def progress(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return how far the arm gets on its way from rest to a command, or to each of many.
+        """Return how far the arm gets from rest towards a command, or towards each of many.
 
         Parameters
         ----------
@@ -189,30 +191,30 @@ class PlanarArm:
         Returns
         -------
         numpy.ndarray of float64, shape () or (n,)
-            The share of the way: 1 where nothing stops it.
+            The fraction of the motion: 1 if nothing stops it.
 
         Raises
         ------
         TypeError, ValueError
-            If it has another shape, or an angle is not finite or beyond the limit.
+            If the shape is wrong, or an angle is not finite or beyond the limit.
 
         Examples
         --------
         >>> import divbandit as db
-        >>> arm = db.PlanarArm(1, obstacles=[db.Wall([-1, 0.5], [1, 0.5])])
+        >>> arm = db.PlanarArm(1, obstacles=[db.environments.Wall([-1, 0.5], [1, 0.5])])
         >>> arm.progress([[0.5], [1.0]]).round(6)
         array([1.      , 0.517835])
         """
         return self._moving.progress(command)[..., 0]
 
     def follow(self, trajectory: ArrayLike) -> NDArray[np.float64]:
-        """Return where the tip is when the arm has followed a trajectory as far as it can.
+        """Return the position of the tip after the arm has followed a trajectory as far as it can.
 
         Parameters
         ----------
         trajectory : array_like, shape (k, joints) or (n, k, joints)
-            Postures in radians, the first of them rest; the arm goes along straight lines in joint
-            space from each to the next, and stays where something stops it.
+            Postures in radians, the first of them rest. From each to the next the arm moves along a
+            straight line in joint space; it stays where it is stopped.
 
         Returns
         -------
@@ -222,13 +224,13 @@ class PlanarArm:
         Raises
         ------
         TypeError, ValueError
-            If it has another shape or no rows, an angle is not finite or beyond the limit, or the
-            first posture is not rest.
+            If the shape is wrong, there are no rows, an angle is not finite or beyond the limit, or
+            the first posture is not rest.
 
         Examples
         --------
         >>> import divbandit as db
-        >>> arm = db.PlanarArm(2, obstacles=[db.Wall([0.9, 0.5], [0.6, 0.5])])
+        >>> arm = db.PlanarArm(2, obstacles=[db.environments.Wall([0.9, 0.5], [0.6, 0.5])])
         >>> arm.follow([[0, 0], [0, 1.5], [0.9, 0.3]]).round(6)     # folded first, it passes
         array([0.491984, 0.857683])
         >>> arm([0.9, 0.3]).round(6)
@@ -237,35 +239,17 @@ class PlanarArm:
         return each_followed(self._moving, trajectory)
 
     def _describe(self, description: Description) -> tuple[int, int]:
-        if self._free:
+        if isinstance(self._kernel, _core.PlanarArm):
             return description.engine.planar_arm(self._kernel)
-        return description.engine.obstructed_arm(self._obstructed)
-
-    def __repr__(self) -> str:
-        free = f"PlanarArm({self.joints}, limit={self.limit!r}"
-        if self._free:
-            return f"{free})"
-        return (
-            f"{free}, thickness={self.thickness!r}, obstacles={list(self.obstacles)!r}, "
-            f"self_contact={self.self_contact!r})"
-        )
-
-    def __reduce__(self) -> tuple[object, ...]:
-        kept = (self.joints, self.limit, self.thickness, self.obstacles, self.self_contact)
-        return _rebuild, kept
+        if isinstance(self._kernel, _core.PushArm):
+            return description.engine.push_arm(self._kernel)
+        return description.engine.obstructed_arm(self._kernel)
 
 
 def each_followed(
     arm: _core.ObstructedArm | _core.PushArm, trajectory: ArrayLike
 ) -> NDArray[np.float64]:
-    """Return the effect of following one trajectory, or those of following many.
-
-    Examples
-    --------
-    >>> import divbandit as db
-    >>> each_followed(db.PlanarArm(2)._moving, [[[0, 0], [1, 0]], [[0, 0], [0, 0]]]).shape
-    (2, 2)
-    """
+    """Return the effect of following one trajectory, or those of following many."""
     try:
         many = np.ndim(trajectory) == 3
     except ValueError:  # ragged: the arm says so
@@ -274,15 +258,3 @@ def each_followed(
         return arm.follow(trajectory)
     effects = [arm.follow(each) for each in np.asarray(trajectory)]
     return np.stack(effects) if effects else np.empty((0, 2))
-
-
-def _rebuild(
-    joints: int,
-    limit: float,
-    thickness: float,
-    obstacles: tuple[Obstacle, ...],
-    self_contact: bool,  # noqa: FBT001 - as pickle passes it
-) -> PlanarArm:
-    return PlanarArm(
-        joints, limit=limit, thickness=thickness, obstacles=obstacles, self_contact=self_contact
-    )

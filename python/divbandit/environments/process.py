@@ -9,10 +9,12 @@ import selectors
 import signal
 import subprocess
 import time
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import positive
-from divbandit.box import Box, BoxLike
+from divbandit._value import Value
+from divbandit.box import Box, BoxLike, box_or_none
 from divbandit.environments._one_by_one import one_by_one
 
 if TYPE_CHECKING:
@@ -21,37 +23,39 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
-#: How much of a program's output an error shows.
+#: Number of characters of a program's output that an error shows.
 _SHOWN = 500
-#: How much a program may write to its standard output, in bytes, and how much is read at once.
+#: Limit of a program's standard output, in bytes, and how much is read at once.
 _MOST, _CHUNK = 2**26, 2**16
-#: The longest time-out, in seconds; beyond some more the system has no number for it.
+#: The longest timeout, in seconds; the operating system cannot represent much longer ones.
 _LONGEST = 1e6
 
 
-class ProcessEnvironment:
-    """A program: the motor command goes onto its command line, the effect comes out as JSON.
+@dataclass(frozen=True, init=False, repr=False)
+class ProcessEnvironment(Value):
+    """A program: motor commands are passed on its command line, effects are returned as JSON.
 
-    The numbers of a command follow the words of the command line, each so that it reads back as the
-    same float. The program writes the effect to its standard output: a list of numbers, a single
-    number, or an object of which one entry is the effect, at most 64 MiB of it. It is started anew
-    each time, without a shell. With threads as the executor of `explore` several run at once; then
-    Ctrl-C waits for those under way, where without an executor it kills the one.
+    The numbers of a command follow the words of the command line, each written so that it reads
+    back as the same float. The program writes the effect to its standard output, at most 64 MiB: a
+    list of numbers, a single number, or an object that has the effect as one entry. It is started
+    once for each command, without a shell. With a thread pool as the executor of `explore`, several
+    run at once; Ctrl-C then waits for those that are running. Without an executor it kills the
+    program.
 
     Parameters
     ----------
     command_line : sequence of str
-        The program and its first arguments. Many programs, those with Python's argparse among
-        them, take ``-1e-05`` for an option; let ``"--"`` be the last word for these.
+        The program and its first arguments. Many programs, such as those that use Python's
+        argparse, take ``-1e-05`` for an option; end the command line of these with ``"--"``.
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
-        A box in S from which goals make sense.
+        A box in S to draw goals from.
     timeout : float, optional
-        After so many seconds, at most a million, the program is killed, with all that it has
-        started.
+        The program and all that it has started are killed after this many seconds, at most a
+        million.
     entry : str, optional
-        Which entry of an object is the effect.
+        The entry of an object that is the effect.
 
     Raises
     ------
@@ -63,13 +67,16 @@ class ProcessEnvironment:
     >>> import sys
     >>> import divbandit as db
     >>> words = [sys.executable, "-c", "import sys; print([float(x) for x in sys.argv[:0:-1]])"]
-    >>> program = db.ProcessEnvironment(words, db.Box([0, 0], [1, 1]), timeout=60)
-    >>> program([0.25, 0.5])              # here the effect is the command, backwards
+    >>> program = db.environments.ProcessEnvironment(words, db.Box([0, 0], [1, 1]), timeout=60)
+    >>> program([0.25, 0.5])              # the effect is the reversed command
     array([0.5 , 0.25])
     """
 
+    command_line: tuple[str, ...]
     motor_space: Box
     sensory_space: Box | None
+    timeout: float | None
+    entry: str | None
 
     def __init__(
         self,
@@ -80,30 +87,19 @@ class ProcessEnvironment:
         timeout: float | None = None,
         entry: str | None = None,
     ) -> None:
-        if isinstance(command_line, (str, bytes)):
-            raise TypeError("command_line must be a list of words, got one text")
-        try:
-            self.command_line = list(command_line)
-        except TypeError:
-            kind = type(command_line).__name__
-            raise TypeError(f"command_line must be a list of words, got {kind}") from None
-        if not self.command_line:
-            raise ValueError("command_line must not be empty")
-        for index, word in enumerate(self.command_line):
-            if type(word) is not str or "\0" in word:
-                raise TypeError(
-                    f"command_line[{index}] must be a text without zero bytes, got {word!r}"
-                )
-        self.motor_space = Box.of(motor_space, name="motor_space")
-        self.sensory_space = (
-            None if sensory_space is None else Box.of(sensory_space, name="sensory_space")
-        )
-        self.timeout = None if timeout is None else positive("timeout", timeout)
-        if self.timeout is not None and self.timeout > _LONGEST:
-            raise ValueError(f"timeout must be at most {_LONGEST:.0f} seconds, got {timeout!r}")
+        if timeout is not None:
+            timeout = positive("timeout", timeout)
+            if timeout > _LONGEST:
+                raise ValueError(f"timeout must be at most {_LONGEST:.0f} seconds, got {timeout!r}")
         if entry is not None and not isinstance(entry, str):
-            raise TypeError(f"entry must be a text, got {type(entry).__name__}")
-        self.entry = entry
+            raise TypeError(f"entry must be a string, got {type(entry).__name__}")
+        self._set(
+            command_line=_words(command_line),
+            motor_space=Box.of(motor_space, name="motor_space"),
+            sensory_space=box_or_none("sensory_space", sensory_space),
+            timeout=timeout,
+            entry=entry,
+        )
 
     def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
         """Return the effect of one command, or the effects of many, one by one.
@@ -119,10 +115,10 @@ class ProcessEnvironment:
         Raises
         ------
         TypeError, ValueError
-            If a command is no point of the motor space, or the program's output no finite point of
-            the sensory space.
+            If a command is not a point of the motor space, or the program's output is not a finite
+            point of the sensory space.
         RuntimeError
-            If the program fails, or its output is no JSON, or too long, or has no such entry.
+            If the program fails, or its output is not JSON, is too long, or lacks the entry.
         TimeoutError
             If it takes too long.
         OSError
@@ -133,7 +129,7 @@ class ProcessEnvironment:
         >>> import sys
         >>> import divbandit as db
         >>> words = [sys.executable, "-c", "import sys; print(1 / (float(sys.argv[1]) - 1))"]
-        >>> program = db.ProcessEnvironment(words, db.Box([0], [1]))
+        >>> program = db.environments.ProcessEnvironment(words, db.Box([0], [1]))
         >>> program([[0.0], [0.5]]).ravel()
         array([-1., -2.])
         >>> program([1.0])
@@ -156,7 +152,7 @@ class ProcessEnvironment:
             out, err = _outputs(process, self.timeout)
         except subprocess.TimeoutExpired:
             raise TimeoutError(
-                f"the program must end within timeout = {self.timeout!r} s, it has not"
+                f"the program must end within timeout = {self.timeout!r} s, but did not"
             ) from None
         finally:
             _end(process)
@@ -182,15 +178,28 @@ class ProcessEnvironment:
         is_number = isinstance(effect, (int, float)) and not isinstance(effect, bool)
         return [effect] if is_number else effect
 
-    def __repr__(self) -> str:
-        return (
-            f"ProcessEnvironment({self.command_line!r}, {self.motor_space!r}, "
-            f"{self.sensory_space!r}, timeout={self.timeout!r}, entry={self.entry!r})"
-        )
+
+def _words(command_line: Sequence[str]) -> tuple[str, ...]:
+    """Return the words of a command line, or say what is wrong with them."""
+    if isinstance(command_line, (str, bytes)):
+        raise TypeError("command_line must be a list of words, got a single string")
+    try:
+        words = tuple(command_line)
+    except TypeError:
+        kind = type(command_line).__name__
+        raise TypeError(f"command_line must be a list of words, got {kind}") from None
+    if not words:
+        raise ValueError("command_line must not be empty")
+    for index, word in enumerate(words):
+        if type(word) is not str or "\0" in word:
+            raise TypeError(
+                f"command_line[{index}] must be a string without null characters, got {word!r}"
+            )
+    return words
 
 
 def _outputs(process: subprocess.Popen[bytes], timeout: float | None) -> tuple[bytes, bytes]:
-    """Return what a program writes until it ends, all of its output and the end of its errors."""
+    """Wait for a program; return its output and the last part of its error output."""
     deadline = None if timeout is None else time.monotonic() + timeout
     out, err = bytearray(), bytearray()
     with selectors.DefaultSelector() as selector:
@@ -217,7 +226,7 @@ def _outputs(process: subprocess.Popen[bytes], timeout: float | None) -> tuple[b
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:
-    """Kill a program that has not ended, and what it has started; leave nothing open."""
+    """Kill a program that is still running, with all that it started, and close its pipes."""
     if process.returncode is None:
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(process.pid, signal.SIGKILL)

@@ -1,15 +1,17 @@
-"""PushArm: an arm that pushes a ball; the effect is where the ball ends."""
+"""PushArm: an arm that pushes a ball; the effect is the final position of the ball."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from divbandit import _core
-from divbandit._checks import real
+from divbandit._checks import floats, real
 from divbandit.box import Box
+from divbandit.environments.obstacles import kernels
 from divbandit.environments.planar_arm import PlanarArm
 
 if TYPE_CHECKING:
@@ -21,29 +23,30 @@ if TYPE_CHECKING:
     from divbandit.environments.obstacles import Obstacle
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class PushArm(PlanarArm):
     """A planar arm and a ball: joint angles in, position of the ball out.
 
-    The arm moves as a `PlanarArm` does, with thick links and among obstacles, as if the ball were
-    not there. Where a link comes to the ball, the ball gives way: it goes where it is clear of all
-    links and obstacles by the least displacement, without friction and without inertia. Where there
-    is no such place it is pinned: arm and ball stop. Of 100 commands drawn at random some 90 never
-    touch it, where it is by default.
+    The arm moves like a `PlanarArm` with thick links among obstacles, as if the ball were not
+    there. When a link reaches the ball, the ball gives way: it is displaced by the shortest way to
+    a position clear of all links and obstacles, without friction and without inertia. If there is
+    no such position, the ball is pinned: arm and ball stop. By default about 90 of 100 random
+    commands never touch the ball.
 
     Parameters
     ----------
     joints : int
         Number of joints, from 1 to 100,000.
     limit : float
-        Every joint's limit in radians.
+        The limit of every joint in radians.
     thickness : float
-        Of the links, in metres; at least 1e-6 and less than a link is long.
+        Thickness of the links, in metres; at least 1e-6 and less than the length of a link.
     obstacles : iterable of Disc, Rectangle, Polygon and Wall
         What stops the arm and holds the ball.
     self_contact : bool
-        Whether links that are no neighbours stop each other.
+        Whether links that are not neighbours stop each other.
     ball : array_like, shape (2,)
-        Where the ball's center is at first, in metres.
+        Initial position of the ball's center, in metres.
     ball_radius : float
         In metres, from 0.001 to 1.
 
@@ -52,34 +55,37 @@ class PushArm(PlanarArm):
     motor_space : Box
         [-limit, limit]^joints, in radians.
     sensory_space : Box
-        The square around the base that the ball cannot be pushed out of, in metres.
-    ball : numpy.ndarray of float64, shape (2,)
+        A square around the base, in metres, that the ball cannot leave.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is not what it must be, the arm at rest touches an obstacle, or the ball
-        touches one of them.
+        If an argument is not what it must be, or, at rest, the arm touches an obstacle or the ball
+        touches the arm or an obstacle.
 
     Examples
     --------
-    >>> import divbandit as db
-    >>> arm = db.PushArm(1, thickness=0.02, ball=[0, 0.5], ball_radius=0.04)
-    >>> arm([[1.0], [-1.0]])                  # not as far as the ball
+    >>> from divbandit.environments import Disc, PlanarArm, PushArm
+    >>> arm = PushArm(1, thickness=0.02, ball=[0, 0.5], ball_radius=0.04)
+    >>> arm([[1.0], [-1.0]])                  # does not reach the ball
     array([[0. , 0.5],
            [0. , 0.5]])
-    >>> arm([2.0]).round(3)                   # it has slid outwards along the link
+    >>> arm([2.0]).round(3)                   # the ball slid outwards along the link
     array([-0.263,  0.456])
 
     A ball between a link and two posts is pinned, and stops the arm:
 
-    >>> posts = [db.Disc([0, 0.44], 0.02), db.Disc([0, 0.56], 0.02)]
-    >>> arm = db.PushArm(1, obstacles=posts, ball=[0.2, 0.45], ball_radius=0.1)
-    >>> bool(arm.progress([2.0]) < db.PlanarArm(1, obstacles=posts).progress([2.0]))
+    >>> posts = [Disc([0, 0.44], 0.02), Disc([0, 0.56], 0.02)]
+    >>> arm = PushArm(1, obstacles=posts, ball=[0.2, 0.45], ball_radius=0.1)
+    >>> bool(arm.progress([2.0]) < PlanarArm(1, obstacles=posts).progress([2.0]))
     True
     """
 
-    ball: NDArray[np.float64]
+    ball: tuple[float, ...]
+    ball_radius: float
+
+    if TYPE_CHECKING:
+        _kernel: _core.PushArm
 
     def __init__(
         self,
@@ -99,23 +105,24 @@ class PushArm(PlanarArm):
             obstacles=obstacles,
             self_contact=self_contact,
         )
-        kernels = [each._kernel for each in self.obstacles]  # noqa: SLF001 - made for this
-        arm = _core.ObstructedArm(self._kernel, self.thickness, kernels, self.self_contact)
-        self._moving = self._pushing = _core.PushArm(arm, ball, ball_radius)
-        self._free = False
-        self.ball = _core.as_point("ball", ball, 2)
-        self._ball_radius = real("ball_radius", ball_radius)
-        beyond = self.thickness / 2 + 2 * self.ball_radius
-        reach = max(1.0 + beyond, *np.abs(self.ball))
-        self.sensory_space = Box([-reach, -reach], [reach, reach])
-
-    @property
-    def ball_radius(self) -> float:
-        """The ball's radius, in metres."""
-        return self._ball_radius
+        arm = _core.PlanarArm(self.joints, self.limit)
+        obstructed = _core.ObstructedArm(
+            arm, self.thickness, kernels(self.obstacles), self.self_contact
+        )
+        kernel = _core.PushArm(obstructed, ball, ball_radius)
+        ball, ball_radius = floats("ball", ball, 2), real("ball_radius", ball_radius)
+        beyond = self.thickness / 2 + 2 * ball_radius
+        reach = max(1.0 + beyond, *np.abs(ball))
+        self._set(
+            ball=ball,
+            ball_radius=ball_radius,
+            sensory_space=Box([-reach, -reach], [reach, reach]),
+            _kernel=kernel,
+            _moving=kernel,
+        )
 
     def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return where the ball ends, for one command or for many.
+        """Return the final position of the ball for one command, or for each of many.
 
         Parameters
         ----------
@@ -130,18 +137,18 @@ class PushArm(PlanarArm):
         Raises
         ------
         TypeError, ValueError
-            If it has another shape, or an angle is not finite or beyond the limit.
+            If the shape is wrong, or an angle is not finite or beyond the limit.
 
         Examples
         --------
-        >>> import divbandit as db
-        >>> db.PushArm(3)([0, 0, 0])
+        >>> from divbandit.environments import PushArm
+        >>> PushArm(3)([0, 0, 0])
         array([-0.5,  0.3])
         """
-        return self._pushing.effect(command)
+        return self._kernel.effect(command)
 
     def path(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return how the ball moves.
+        """Return the path of the ball.
 
         Parameters
         ----------
@@ -151,46 +158,22 @@ class PushArm(PlanarArm):
         Returns
         -------
         numpy.ndarray of float64, shape (k, 3)
-            The share of the way of the arm, from 0 to where it stops, and the ball's x and y. The
-            ball is looked at whenever it may have been pushed by a fiftieth of its radius.
+            The fraction of the arm's motion, from 0 to where it stops, and x and y of the ball.
+            There is a row whenever the ball may have moved by a fiftieth of its radius.
 
         Raises
         ------
         TypeError, ValueError
-            If it has another shape, or an angle is not finite or beyond the limit.
+            If the shape is wrong, or an angle is not finite or beyond the limit.
 
         Examples
         --------
-        >>> import divbandit as db
-        >>> db.PushArm(2).path([0.1, 0.1])
+        >>> from divbandit.environments import PushArm
+        >>> PushArm(2).path([0.1, 0.1])
         array([[ 0. , -0.5,  0.3],
                [ 1. , -0.5,  0.3]])
         """
-        return self._pushing.path(command)
+        return self._kernel.path(command)
 
     def _describe(self, description: Description) -> tuple[int, int]:
-        return description.engine.push_arm(self._pushing)
-
-    def __repr__(self) -> str:
-        return (
-            f"PushArm({self.joints}, limit={self.limit!r}, thickness={self.thickness!r}, "
-            f"obstacles={list(self.obstacles)!r}, self_contact={self.self_contact!r}, "
-            f"ball={self.ball.tolist()!r}, ball_radius={self.ball_radius!r})"
-        )
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return _rebuild, (
-            self.joints,
-            {
-                "limit": self.limit,
-                "thickness": self.thickness,
-                "obstacles": self.obstacles,
-                "self_contact": self.self_contact,
-                "ball": self.ball,
-                "ball_radius": self.ball_radius,
-            },
-        )
-
-
-def _rebuild(joints: int, arguments: dict[str, object]) -> PushArm:
-    return PushArm(joints, **arguments)  # type: ignore[arg-type]
+        return super()._describe(description)

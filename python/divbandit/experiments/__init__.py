@@ -1,4 +1,4 @@
-"""Experiments: many explorations at once, and what is kept of them."""
+"""Experiments: many explorations at once, and what is kept of each."""
 
 from divbandit.experiments.explore_many import explore_many
 from divbandit.experiments.summary import Summary, summarize

@@ -1,4 +1,4 @@
-"""Seeds by place: each of many explorations has its own, whenever and wherever it runs."""
+"""Seeds by place: each exploration has its own seed, whenever and wherever it runs."""
 
 from __future__ import annotations
 
@@ -13,14 +13,8 @@ if TYPE_CHECKING:
 
 
 def root(rng: Rng) -> SeedSequence:
-    """Return what the seeds of all places come from; a Generator gives one number for it.
-
-    Examples
-    --------
-    >>> root(7).entropy
-    7
-    """
-    given = generator(rng)  # or what is wrong with it
+    """Return the sequence that all seeds derive from; a Generator draws one number for it."""
+    given = generator(rng)  # raises if `rng` is wrong
     if isinstance(rng, SeedSequence):
         return rng
     if isinstance(rng, Generator):
@@ -29,14 +23,7 @@ def root(rng: Rng) -> SeedSequence:
 
 
 def child(parent: SeedSequence, place: int) -> SeedSequence:
-    """Return the child that a fresh `parent` would spawn at `place`; `parent` stays as it is.
-
-    Examples
-    --------
-    >>> from numpy.random import SeedSequence
-    >>> child(SeedSequence(7), 2).state == SeedSequence(7).spawn(3)[2].state
-    True
-    """
+    """Return the child that a new `parent` would spawn at `place`; `parent` is not changed."""
     return SeedSequence(
         parent.entropy, spawn_key=(*parent.spawn_key, place), pool_size=parent.pool_size
     )

@@ -1,4 +1,4 @@
-"""Summary: the few numbers of an exploration that a comparison of many needs."""
+"""Summary: the few numbers that a comparison of many explorations needs."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ class Summary(NamedTuple):
     coverage : numpy.ndarray of float64, shape (k,)
         After each of k steps, in the units of the effects to the power of their dimension.
     usage : numpy.ndarray of float64, shape (q,)
-        The share of all steps that each part of the top-level strategy was chosen for, in [0, 1].
+        The fraction of steps for which each part of the top-level strategy was chosen, in [0, 1].
 
     Examples
     --------
     >>> import numpy as np
     >>> import divbandit as db
-    >>> db.Summary(coverage=np.array([2.25]), usage=np.array([0.25, 0.75])).usage
+    >>> db.experiments.Summary(coverage=np.array([2.25]), usage=np.array([0.25, 0.75])).usage
     array([0.25, 0.75])
     """
 
@@ -41,40 +41,41 @@ class Summary(NamedTuple):
 
 
 def summarize(tau: float, *, at: Iterable[int] | None = None) -> Callable[[Exploration], Summary]:
-    """Return a function of an exploration that gives its Summary: what `explore_many` may keep.
+    """Return a function that summarizes an Exploration, for `explore_many` to ``keep``.
 
     Parameters
     ----------
     tau : float
         Radius of the balls, in the units of the effects; positive.
     at : iterable of int, optional
-        After which steps to tell the coverage: counts of effects, from 1 on. By default after
-        the last.
+        The steps after which to take the coverage: counts of effects, from 1 on. By default the
+        last.
 
     Returns
     -------
     callable
-        Takes an Exploration and returns a Summary. Its ``usage`` has an element for each part of
-        a bandit. Of another strategy only what was chosen is known: it then has as many elements
-        as there are up to the last part that was chosen, and one if there are no parts.
+        Takes an Exploration and returns a Summary. For a bandit, ``usage`` has an element for each
+        part. For other strategies only the choices are known: it then has elements up to the last
+        part that was chosen, and a single one if there are no parts.
 
     Raises
     ------
     TypeError, ValueError
-        If `tau` is not a positive number or `at` holds what is no count. The function that is
-        returned raises them if the exploration has fewer steps, or none, or effects of a
-        dimension that `Coverage` does not take.
+        If `tau` is not a positive number or `at` is not an iterable of counts. The returned
+        function raises them if the exploration has fewer steps, or none, or if `Coverage` does not
+        support the dimension of its effects.
 
     Examples
     --------
     >>> import divbandit as db
     >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
-    >>> task = db.Task(db.PlanarArm(20), adapt, n=500)
-    >>> many = db.explore_many(task.over(range(4)), keep=db.summarize(0.02, at=[100, 500]))
+    >>> task = db.experiments.Task(db.PlanarArm(20), adapt, n=500)
+    >>> summarize = db.experiments.summarize(0.02, at=[100, 500])
+    >>> many = db.explore_many(task.over(range(4)), keep=summarize)
     >>> [(each.coverage.shape, each.usage.shape) for _, each in many]
     [((2,), (2,)), ((2,), (2,)), ((2,), (2,)), ((2,), (2,))]
     """
-    Coverage(tau)  # or what is wrong with tau
+    Coverage(tau)  # raises if tau is wrong
     if at is None:
         return _Summarize(tau, None)
     if not isinstance(at, Iterable):
@@ -107,5 +108,5 @@ class _Summarize:
 
 def _usage(run: Exploration) -> NDArray[np.float64]:
     parts = 0 if run.diversities is None else run.diversities.shape[1]
-    chosen = run.choices[run.choices >= 0]  # a strategy of one's own may leave steps to nobody
+    chosen = run.choices[run.choices >= 0]  # -1: no part was chosen
     return np.bincount(chosen, minlength=max(parts, 1)) / len(run)

@@ -1,10 +1,12 @@
-"""Task: what to explore, with which strategy, for how long."""
+"""Task: what to explore, with which strategy, and for how many steps."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+from divbandit._value import Value
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -15,35 +17,35 @@ if TYPE_CHECKING:
     from divbandit.strategies.base import Strategy
 
 
-@dataclass(frozen=True, slots=True)
-class Task:
-    """A task (f, n) of the paper, with the strategy to do it: what `explore` is called with.
+@dataclass(frozen=True, repr=False)
+class Task(Value):
+    """A task (f, n) of the paper and the strategy for it: the arguments of `explore`.
 
-    What it holds is looked at when its exploration starts.
+    The arguments are checked when the exploration starts.
 
-    Attributes
+    Parameters
     ----------
     environment : Environment
-        The black box. Those that share one of your own call it from several threads at once.
+        The black box. Tasks that share an environment may call it from several threads at once.
     strategy : Strategy
-        Is copied; the one given is never changed.
+        It is never changed.
     n : int
-        How many evaluations, at least 1.
+        Number of evaluations, at least 1.
     rng : None, int, SeedSequence or Generator
-        All randomness comes from it. None lets `explore_many` seed it by its place.
+        The source of all randomness. With None, `explore_many` seeds the task by its place.
     engine : {"auto", "python", "rust"}
         Where the steps are made, as in `explore`.
     keep_commands : bool
-        Whether the Exploration is to have the motor commands, as in `explore`.
+        Whether the Exploration keeps the motor commands, as in `explore`.
 
     See Also
     --------
-    explore_many : explores many of them.
+    explore_many : Explore many tasks.
 
     Examples
     --------
     >>> import divbandit as db
-    >>> task = db.Task(db.PlanarArm(20), db.MotorBabbling(), n=100)
+    >>> task = db.experiments.Task(db.PlanarArm(20), db.MotorBabbling(), n=100)
     >>> task.n, task.rng
     (100, None)
     """
@@ -56,12 +58,12 @@ class Task:
     keep_commands: bool = True
 
     def over(self, seeds: Iterable[Rng]) -> Iterator[Task]:
-        """Return the same task once for each seed.
+        """Yield this task once for each seed.
 
         Parameters
         ----------
         seeds : iterable of None, int, SeedSequence or Generator
-            Taken one by one: there may be any number.
+            Taken one by one, so there may be any number.
 
         Raises
         ------
@@ -71,7 +73,7 @@ class Task:
         Examples
         --------
         >>> import divbandit as db
-        >>> task = db.Task(db.PlanarArm(20), db.MotorBabbling(), n=100)
+        >>> task = db.experiments.Task(db.PlanarArm(20), db.MotorBabbling(), n=100)
         >>> [each.rng for each in task.over(range(3))]
         [0, 1, 2]
         """

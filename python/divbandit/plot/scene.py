@@ -101,11 +101,10 @@ def _patch(obstacle: Obstacle) -> Patch:
     from matplotlib import patches  # noqa: PLC0415 - only figures need matplotlib
 
     match obstacle:
-        case Disc():
-            return patches.Circle(tuple(obstacle.center), obstacle.radius)
-        case Rectangle():
-            width, height = obstacle.high - obstacle.low
-            return patches.Rectangle(tuple(obstacle.low), width, height)
+        case Disc(center=(x, y)):
+            return patches.Circle((x, y), obstacle.radius)
+        case Rectangle(low=(x, y), high=(right, top)):
+            return patches.Rectangle((x, y), right - x, top - y)
         case Polygon():
             return patches.Polygon(obstacle.points, closed=True)
         case Wall():

@@ -7,7 +7,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from multiprocessing import get_context
 from typing import TYPE_CHECKING, TypeVar
 
-from divbandit.experiments.workers import available_cores
+from divbandit.experiments.cores import available_cores
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

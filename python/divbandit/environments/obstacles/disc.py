@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit import _core
+from divbandit._checks import floats
 from divbandit.environments.obstacles.base import Obstacle
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class Disc(Obstacle):
     """A disc.
 
@@ -25,23 +27,19 @@ class Disc(Obstacle):
     Raises
     ------
     TypeError, ValueError
-        If the center is no point of the plane, or the radius is not positive.
+        If the center is not a finite point of the plane, or the radius is not positive.
 
     Examples
     --------
-    >>> import divbandit as db
-    >>> arm = db.PlanarArm(1, thickness=0.1, obstacles=[db.Disc([0, 0.5], 0.1)])
+    >>> from divbandit.environments import Disc, PlanarArm
+    >>> arm = PlanarArm(1, thickness=0.1, obstacles=[Disc([0, 0.5], 0.1)])
     >>> bool(arm.progress([1.6]) < 1)
     True
     """
 
-    center: NDArray[np.float64]
+    center: tuple[float, ...]
     radius: float
 
     def __init__(self, center: ArrayLike, radius: float) -> None:
         kernel = _core.Obstacle.disc(center, radius)
-        self.center, self.radius = _core.as_point("center", center, 2), float(radius)
-        self._kernel = kernel
-
-    def _arguments(self) -> tuple[object, ...]:
-        return self.center, self.radius
+        self._set(center=floats("center", center, 2), radius=float(radius), _kernel=kernel)

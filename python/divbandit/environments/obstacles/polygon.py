@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,9 +11,10 @@ from divbandit import _core
 from divbandit.environments.obstacles.base import Obstacle
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class Polygon(Obstacle):
     """A polygon, convex or not.
 
@@ -24,23 +26,18 @@ class Polygon(Obstacle):
     Raises
     ------
     TypeError, ValueError
-        If these are no points of the plane, or the outline touches itself.
+        If the corners are not finite points of the plane, or the outline touches itself.
 
     Examples
     --------
-    >>> import divbandit as db
-    >>> db.Polygon([[0.5, 0.5], [0.9, 0.5], [0.6, 0.6], [0.5, 0.9]]).points.shape
-    (4, 2)
+    >>> from divbandit.environments import Polygon
+    >>> Polygon([[0.5, 0.5], [0.9, 0.5], [0.6, 0.6], [0.5, 0.9]]).points[2]
+    (0.6, 0.6)
     """
 
-    points: NDArray[np.float64]
+    points: tuple[tuple[float, ...], ...]
 
     def __init__(self, points: ArrayLike) -> None:
         kernel = _core.Obstacle.polygon(points)
-        corners = np.array(points, dtype=np.float64)
-        corners.flags.writeable = False
-        self.points = corners
-        self._kernel = kernel
-
-    def _arguments(self) -> tuple[object, ...]:
-        return (self.points,)
+        corners = np.asarray(points, dtype=np.float64).tolist()
+        self._set(points=tuple(map(tuple, corners)), _kernel=kernel)

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit import _core
+from divbandit._checks import floats
 from divbandit.environments.obstacles.base import Obstacle
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 
+@dataclass(frozen=True, init=False, repr=False)
 class Rectangle(Obstacle):
-    """A rectangle whose sides are along the axes; `Polygon` makes others.
+    """A rectangle with sides parallel to the axes; for others use `Polygon`.
 
     Parameters
     ----------
@@ -23,23 +25,19 @@ class Rectangle(Obstacle):
     Raises
     ------
     TypeError, ValueError
-        If these are no points of the plane, or `low` is not below `high`.
+        If the corners are not finite points of the plane, or `low` is not below `high`.
 
     Examples
     --------
-    >>> import divbandit as db
-    >>> arm = db.PlanarArm(5, obstacles=[db.Rectangle([0.2, 0.1], [0.6, 0.3])])
+    >>> from divbandit.environments import PlanarArm, Rectangle
+    >>> arm = PlanarArm(5, obstacles=[Rectangle([0.2, 0.1], [0.6, 0.3])])
     >>> bool(arm.progress([0.5, 0, 0, 0, 0]) < 1)
     True
     """
 
-    low: NDArray[np.float64]
-    high: NDArray[np.float64]
+    low: tuple[float, ...]
+    high: tuple[float, ...]
 
     def __init__(self, low: ArrayLike, high: ArrayLike) -> None:
         kernel = _core.Obstacle.rectangle(low, high)
-        self.low, self.high = _core.as_point("low", low, 2), _core.as_point("high", high, 2)
-        self._kernel = kernel
-
-    def _arguments(self) -> tuple[object, ...]:
-        return self.low, self.high
+        self._set(low=floats("low", low, 2), high=floats("high", high, 2), _kernel=kernel)

@@ -1,0 +1,86 @@
+"""Threads: function calls in several threads, which all end when they are stopped."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import thread as executors
+from contextlib import suppress
+from queue import Empty, SimpleQueue
+from threading import Event, get_ident
+from typing import TYPE_CHECKING, Generic, ParamSpec, TypeVar
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from typing_extensions import Self
+
+Result = TypeVar("Result")
+Arguments = ParamSpec("Arguments")
+
+#: Seconds between checks while waiting: not every system lets Ctrl-C interrupt a long wait.
+_GLANCE = 0.2
+
+
+class StoppedError(RuntimeError):
+    """A call was stopped before its end."""
+
+
+class Threads(Generic[Result]):
+    """Up to `jobs` threads that make calls; leaving the ``with`` statement ends them.
+
+    Examples
+    --------
+    >>> with Threads(2) as threads:
+    ...     for number in (-1, 2, -3):
+    ...         threads.submit(abs, number)
+    ...     sorted(threads.result() for _ in range(len(threads)))
+    [1, 2, 3]
+    """
+
+    def __init__(self, jobs: int) -> None:
+        self._stop, self._process, self._workers = Event(), os.getpid(), set[int]()
+        self._executor = ThreadPoolExecutor(
+            jobs, "divbandit", lambda: self._workers.add(get_ident())
+        )
+        self._done: SimpleQueue[Future[Result]] = SimpleQueue()
+        self._pending = 0
+
+    def __len__(self) -> int:
+        """Return the number of calls whose results were not returned yet."""
+        return self._pending
+
+    def submit(
+        self,
+        function: Callable[Arguments, Result],
+        *args: Arguments.args,
+        **kwargs: Arguments.kwargs,
+    ) -> None:
+        """Call a function as soon as a thread is free."""
+        self._executor.submit(function, *args, **kwargs).add_done_callback(self._done.put)
+        self._pending += 1
+
+    def result(self) -> Result:
+        """Wait for the next call to end, and return or raise its outcome."""
+        done = None
+        while done is None:
+            if os.getpid() != self._process:
+                raise RuntimeError("explore_many cannot go on in a forked process")
+            with suppress(Empty):
+                done = self._done.get(timeout=_GLANCE)
+        self._pending -= 1
+        return done.result()
+
+    def check(self) -> None:
+        """Raise a StoppedError if all is to end; long calls do this every now and then."""
+        # At exit the executor waits for its threads; only this flag says that it does.
+        if self._stop.is_set() or executors._shutdown:  # noqa: SLF001
+            raise StoppedError("the exploration was stopped: the program is exiting")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stop.set()
+        # An iterator may be dropped in any thread, even in one of these.
+        self._executor.shutdown(wait=get_ident() not in self._workers, cancel_futures=True)

@@ -152,8 +152,8 @@ def test_several_at_once_and_failures_survived():
     [
         (("sleep 1", SPACE), TypeError, "command_line must be a list of words"),
         (([], SPACE), ValueError, "command_line must not be empty"),
-        ((["a", 1], SPACE), TypeError, r"command_line\[1\] must be a text"),
-        ((["a\0"], SPACE), TypeError, r"command_line\[0\] must be a text"),
+        ((["a", 1], SPACE), TypeError, r"command_line\[1\] must be a string"),
+        ((["a\0"], SPACE), TypeError, r"command_line\[0\] must be a string"),
         ((["a"], None), TypeError, "motor_space"),
     ],
 )
@@ -163,7 +163,7 @@ def test_what_is_refused(arguments, error, says):
     for timeout in (0, -1, float("nan"), 1e7, 10**400):
         with pytest.raises(ValueError, match="timeout must be"):
             db.ProcessEnvironment(["a"], SPACE, timeout=timeout)
-    with pytest.raises(TypeError, match="entry must be a text"):
+    with pytest.raises(TypeError, match="entry must be a string"):
         db.ProcessEnvironment(["a"], SPACE, entry=1)
 
 

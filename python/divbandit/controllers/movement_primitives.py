@@ -159,7 +159,8 @@ class MovementPrimitives(Value):
         (2, 11, 2)
         """
         commands = self.motor_space.bounds.commands(command)
-        parts = commands.reshape(*commands.shape[:-1], 1, self.dofs, -1)
+        width = commands.shape[-1] // self.dofs
+        parts = commands.reshape(*commands.shape[:-1], 1, self.dofs, width)
         start = np.zeros(self.dofs) if self.start is None else np.array(self.start)
         rows = np.broadcast_to(start, (*commands.shape[:-1], self.steps + 1, self.dofs))
         # One product and one sum at a time, in this order: the order of the sums of a matrix

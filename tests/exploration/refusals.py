@@ -26,7 +26,7 @@ def spaced(**spaces):
     """Return an arm with other spaces."""
     arm = db.PlanarArm(3)
     for name, space in spaces.items():
-        setattr(arm, name, space)
+        object.__setattr__(arm, name, space)
     return arm
 
 

@@ -53,7 +53,7 @@ class MovementPrimitives(Value):
         Weights lie in [-weights, weights], in the units of the joints: a weight of 1 displaces a
         joint by at most 1.
     goals : float, optional
-        Goals lie in [-goals, goals]. With None there are no goals: joints return to their start.
+        Goals lie in [-goals, goals]. With None, joints return to their start instead.
     start : array_like, shape (dofs,), optional
         Where a trajectory starts; 0 by default.
     limit : float, optional

@@ -59,10 +59,10 @@ def explore_many(
 ) -> Generator[tuple[int, object], None, None]:
     """Explore many tasks, several at a time, and yield each result as soon as it is there.
 
-    Each exploration is exactly the one that `explore` makes of its task, bit by bit, whatever
-    `jobs` is and in whatever order they end. At most ``2 * jobs`` explorations are running, waiting
-    to run, or finished and not yet yielded. Tasks are drawn only when there is room, so there may
-    be millions; so many are drawn, or all if there are fewer, before the first result is yielded.
+    Each exploration is bit by bit the one that `explore` makes of its task, whatever `jobs` is and
+    in whatever order they end. At most ``2 * jobs`` explorations are running, waiting to run, or
+    finished and not yet yielded; new tasks are drawn only when there is room, so that there may be
+    millions. The first ``2 * jobs`` tasks are drawn before the first result is yielded.
 
     Parameters
     ----------

@@ -1,22 +1,25 @@
-"""Adapters: parts of other people's libraries as strategies and rules of this one, or the reverse.
+"""Adapters: what other libraries offer, as parts of this one, and the reverse.
 
-Each needs its library only when it is made: ``pip install 'divbandit[ribs]'`` and so on.
+Strategies: `RibsEmitter` (pyribs), `OptunaSampler` (Optuna), `QuasiRandomBabbling` (SciPy). A
+policy of bandits: `MabwiserPolicy` (MABWiser). A black box as an environment of Gymnasium:
+`OneStepEnv`. Each imports its library when it is first used: ``pip install 'divbandit[ribs]'`` and so on.
 """
 
 from typing import TYPE_CHECKING
 
-from divbandit.adapters.mabwiser import MabwiserRule
+from divbandit.adapters.mabwiser import MabwiserPolicy
 from divbandit.adapters.optuna import OptunaSampler
+from divbandit.adapters.quasi_random import QuasiRandomBabbling
 from divbandit.adapters.ribs import RibsEmitter
 
 if TYPE_CHECKING:
     from divbandit.adapters.gymnasium import OneStepEnv
 
-__all__ = ["MabwiserRule", "OneStepEnv", "OptunaSampler", "RibsEmitter"]
+__all__ = ["MabwiserPolicy", "OneStepEnv", "OptunaSampler", "QuasiRandomBabbling", "RibsEmitter"]
 
 
 def __getattr__(name: str) -> object:
-    """Find `OneStepEnv` when it is asked for: it derives from a class of Gymnasium."""
+    """Import `OneStepEnv` on first use: it derives from a class of Gymnasium."""
     if name != "OneStepEnv":
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from divbandit.adapters.gymnasium import OneStepEnv  # noqa: PLC0415

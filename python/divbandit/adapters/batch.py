@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from divbandit.strategies.base import Trial
+from divbandit.strategies import Trial
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import NDArray
 
 
-@dataclass
+@dataclass(frozen=True)
 class Report:
-    """What came of one solution: its effect, what that is worth, what the archive made of it."""
+    """What came of one solution: its effect, its objective, and what the archive made of it."""
 
     effect: NDArray[np.float64]
     objective: float
@@ -22,7 +22,7 @@ class Report:
 
 
 class Batch:
-    """Solutions that an optimizer asked for together; it is told when all have come to an end.
+    """Solutions that an optimizer asked for together; it learns once all have ended.
 
     Parameters
     ----------
@@ -31,8 +31,8 @@ class Batch:
     Attributes
     ----------
     solutions : numpy.ndarray, shape (n, m)
-    reports : list
-        One for each solution; None where none is known.
+    reports : list of Report or None
+        One for each solution; None for one that failed, or is under way.
 
     Examples
     --------
@@ -62,31 +62,17 @@ class Batch:
         return len(self._ended) == len(self.solutions)
 
     def take(self) -> int:
-        """Give out the next solution: return its row.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> Batch(np.array([[0.5], [0.7]])).take()
-        0
-        """
+        """Give out the next solution: return its row."""
         self._given += 1
         return self._given - 1
 
-    def end(self, row: int) -> None:
-        """Note that this solution has an effect, or has failed.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> batch = Batch(np.array([[0.5]]))
-        >>> batch.end(batch.take())
-        >>> batch.all_ended
-        True
-        """
+    def end(self, row: int, report: Report | None = None) -> None:
+        """Note what came of a solution; None if it failed."""
         self._ended.add(row)
+        self.reports[row] = report
 
 
+@dataclass(frozen=True, eq=False, kw_only=True)
 class OfBatch(Trial):
     """A trial of one solution of a batch.
 
@@ -100,13 +86,9 @@ class OfBatch(Trial):
     Examples
     --------
     >>> import numpy as np
-    >>> OfBatch([0.5], Batch(np.array([[0.5]])), 0).row
+    >>> OfBatch([0.5], batch=Batch(np.array([[0.5]])), row=0).row
     0
     """
 
-    __slots__ = ("batch", "row")
-
-    def __init__(self, command: ArrayLike, batch: Batch, row: int) -> None:
-        super().__init__(command)
-        self.batch = batch
-        self.row = row
+    batch: Batch
+    row: int

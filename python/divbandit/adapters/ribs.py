@@ -1,24 +1,26 @@
 """RibsEmitter: an emitter of pyribs, with its archive, as a strategy.
 
-Emitters think in shares: a solution is a command whose coordinates are shares of the motor
-ranges, from 0 to 1, so that one step size suits all joints. What lies outside is clipped.
+An emitter's solution is a command whose coordinates are shares of the motor ranges, from 0 to 1, so
+that one step size suits all joints. What lies outside is clipped.
 """
 
 from __future__ import annotations
 
 import copy
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
 
 from divbandit._checks import one_of, real, whole
-from divbandit._library import library, named, seed_from
+from divbandit._library import library, seed_from
 from divbandit.adapters.batch import Batch, OfBatch, Report
 from divbandit.box import Box
-from divbandit.strategies.base import Strategy, Trial
+from divbandit.strategies import Strategy, Trial
+from divbandit.strategies.base import StrategyValue
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
     from numpy.random import Generator
     from numpy.typing import NDArray
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 
     from divbandit.box import BoxLike
     from divbandit.history import History
+    from divbandit.strategies.base import Starter
 
     EmitterFactory = Callable[[ArchiveBase, int], EmitterBase]
     ArchiveFactory = Callable[[int, int], ArchiveBase]
@@ -58,24 +61,27 @@ def _dim(archive: ArchiveBase) -> int:
     return int(np.prod(np.array(archive.solution_dim)))
 
 
+#: Cells of the grid along each coordinate, by default.
+_CELLS = 20
+
 #: Emitters that go by a name.
 EMITTERS: dict[str, EmitterFactory] = {"evolution": _evolution, "line": _line}
 
 
-class RibsEmitter(Strategy):
+@dataclass(frozen=True, init=False, repr=False)
+class RibsEmitter(StrategyValue):
     """An emitter of pyribs as a strategy, so that a bandit can choose among emitters.
 
-    The archive's measures are the effects. Like all that is derived from the history, the
-    archive holds the effects of all strategies, so that an emitter looks for what nobody has
-    found. An emitter asks for batches; they are given out one solution at a time, and the emitter
-    is told when all of a batch have come to an end:
+    The archive's measures are the effects. The archive holds the effects of all strategies, so that
+    an emitter looks for what none of them has found. An emitter asks for batches; they are given
+    out one solution at a time, and the emitter learns when all of a batch have ended:
 
-    - Emitters that learn, such as those of CMA-ME, must be told of whole batches: they rank by
-      the places in what they asked for last. A trial that failed stands for the worst of its
-      batch, and for one that did not enter the archive. A batch of which all failed is forgotten.
+    - Emitters that learn, such as those of CMA-ME, need whole batches: they rank by the places in
+      what they asked for last. A trial that failed stands for the worst of its batch, and for one
+      that did not enter the archive. A batch of which all failed is forgotten.
     - Where more is asked for while some of a batch are under way, a copy of the emitter proposes
-      more of its kind. Their effects enter the archive; the emitter is not told. It learns
-      nothing while a trial of its batch is open: one that will never be told should be failed.
+      more of its kind. Their effects enter the archive; the emitter does not learn them, and learns
+      nothing while a trial of its batch is open: one without an effect should be failed.
 
     Parameters
     ----------
@@ -87,8 +93,8 @@ class RibsEmitter(Strategy):
     cells : int
         How many cells the grid has along each coordinate of the effects.
     archive : callable, optional
-        A function of the dimension of the commands and a seed that makes an archive, in place
-        of the grid; `box` and `cells` then say nothing, and must be left at their defaults.
+        A function of the dimension of the commands and a seed that makes an archive, in place of
+        the grid: neither `box` nor `cells` may then be given.
     objective : callable, optional
         A function of an effect and its command, both read-only arrays: the larger, the better.
         By default all are as good as each other: only new cells count.
@@ -108,8 +114,9 @@ class RibsEmitter(Strategy):
 
     Notes
     -----
-    The first proposal draws two ``rng.random()``, seeds of the archive and the emitter; all that
-    these draw is their own.
+    The first proposal draws two ``rng.random()``, the seeds of the archive and of the emitter,
+    whose draws are their own. The emitter at work, with its archive, is
+    ``explorer.strategy.emitter``; it is None at first.
 
     Examples
     --------
@@ -122,12 +129,18 @@ class RibsEmitter(Strategy):
     (100, 2)
     """
 
+    emitter: str | EmitterFactory
+    box: Box | None
+    cells: int
+    archive: ArchiveFactory | None
+    objective: Objective | None
+
     def __init__(
         self,
         emitter: str | EmitterFactory = "line",
         *,
         box: BoxLike | None = None,
-        cells: int = 20,
+        cells: int = _CELLS,
         archive: ArchiveFactory | None = None,
         objective: Objective | None = None,
     ) -> None:
@@ -137,20 +150,19 @@ class RibsEmitter(Strategy):
         for name, value in [("archive", archive), ("objective", objective)]:
             if value is not None and not callable(value):
                 raise TypeError(f"{name} must be callable, got {type(value).__name__}")
-        self.emitter = emitter
-        self.box = None if box is None else Box.of(box)
-        self.cells = whole("cells", cells, low=1)
-        if archive is not None and (box is not None or cells != 20):
+        if archive is not None and (box is not None or cells != _CELLS):
             raise ValueError("archive must not be given together with box or cells")
-        self.archive = archive
-        self.objective = objective
-        self._history: History | None = None
-        self._batch: Batch | None = None
-        self._spare: EmitterBase | None = None
-        self._spare_batch: Batch | None = None
+        self._set(
+            emitter=emitter,
+            box=None if box is None else Box.of(box),
+            cells=whole("cells", cells, low=1),
+            archive=archive,
+            objective=objective,
+        )
 
-    def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:  # noqa: ARG002 - the same for all motor spaces
+    def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:
         """Require a box to lay the grid over, of the dimension of the effects."""
+        del motor_space
         if self.archive is not None:
             return
         if self.box is None and not has_goals:
@@ -162,131 +174,114 @@ class RibsEmitter(Strategy):
                 f"box must have the dimension of the effects, {effect_dim}, got {self.box.dim}"
             )
 
-    @property
-    def running(self) -> EmitterBase | None:
-        """The emitter at work, with its archive as it was at the latest proposal; None at first."""
-        return None if self._history is None else self._emitter
+    def start(self, start: Starter) -> Strategy:
+        """Return the emitter under way."""
+        return _Emitting(self, start.history)
 
-    def propose(self, history: History, rng: Generator) -> Trial:
-        """Give out the next solution of the emitter's batch.
-
-        What is remembered belongs to one history; asked about another, all begins anew.
-        """
-        if history is not self._history:
-            self._begin(history, rng)
-        self._catch_up(history)
-        batch = self._batch
-        if batch is not None and batch.all_ended:
-            self._tell(batch)
-            batch = None
-        if batch is None or (batch.all_given and not self._learns):
-            batch = self._batch = _asked(self._emitter)
-        if not batch.all_given:
-            row = batch.take()
-            return OfBatch(self._command(batch.solutions[row]), batch, row)
-        return Trial(self._command(self._surplus()))
-
-    def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:  # noqa: ARG002 - it is in the history
-        """Note where the effect is; the archive and the emitter are told at the next proposal."""
-        history = self._history
-        if history is not None and isinstance(trial, OfBatch) and trial.batch is self._batch:
-            self._places[len(history) - 1 if trial.place is None else trial.place] = trial.row
-            trial.batch.end(trial.row)
-
-    def observe_many(self, trials: Sequence[Trial], effects: NDArray[np.float64]) -> None:
-        """Note where the effects are."""
-        for trial, effect in zip(trials, effects, strict=True):
-            self.observe(trial, effect)
-
-    def fail(self, trial: Trial, reason: str) -> None:  # noqa: ARG002 - whatever the reason
-        """Count it as the worst of its batch."""
-        if isinstance(trial, OfBatch) and trial.batch is self._batch:
-            trial.batch.end(trial.row)
-
-    def _begin(self, history: History, rng: Generator) -> None:
-        """Make an archive and an emitter for this history."""
-        space = history.motor_space
-        seeds = seed_from(rng), seed_from(rng)
-        archive = self._grid(history, seeds[0])
+    def made(self, history: History, rng: Generator) -> EmitterBase:
+        """Make the emitter, with an empty archive: two ``rng.random()``."""
+        dim, seed = history.motor_space.dim, seed_from(rng)
+        archive = self._grid(history, seed) if self.archive is None else self.archive(dim, seed)
         factory = self.emitter if callable(self.emitter) else EMITTERS[self.emitter]
-        self._emitter = factory(archive, seeds[1])
-        self._low, self._high, self._width = space.low, space.high, space.high - space.low
-        base = library("ribs.emitters", user="RibsEmitter").EmitterBase
-        self._learns = type(self._emitter).tell is not base.tell
-        self._known = 0
-        self._places: dict[int, int] = {}  # of the batch's effects that are not in the archive yet
-        self._batch, self._spare, self._spare_batch = None, None, None
-        self._spare_asks = 0
-        self._history = history
+        return factory(archive, seed_from(rng))
 
     def _grid(self, history: History, seed: int) -> ArchiveBase:
-        dim = history.motor_space.dim
-        if self.archive is not None:
-            return self.archive(dim, seed)
+        """Make a grid over the box."""
         box = history.sensory_space if self.box is None else self.box
         if box is None:
             raise ValueError("box must be given to RibsEmitter: there is no sensory space")
-        ranges = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
-        archives = library("ribs.archives", user="RibsEmitter")
-        archive: ArchiveBase = archives.GridArchive(
-            solution_dim=dim, dims=[self.cells] * box.dim, ranges=ranges, seed=seed
+        archive: ArchiveBase = library("ribs.archives", user="RibsEmitter").GridArchive(
+            solution_dim=history.motor_space.dim,
+            dims=[self.cells] * box.dim,
+            ranges=list(zip(box.low.tolist(), box.high.tolist(), strict=True)),
+            seed=seed,
         )
         return archive
 
+
+class _Emitting(Strategy):
+    """An emitter under way: a batch at a time."""
+
+    emitter: EmitterBase | None = None
+
+    def __init__(self, recipe: RibsEmitter, history: History) -> None:
+        space = history.motor_space
+        self._recipe, self._history = recipe, history
+        self._low, self._high, self._width = space.low, space.high, space.high - space.low
+        self._learns = False
+        self._batch: Batch | None = None
+        self._surplus: _Surplus | None = None
+        self._known = 0  # how much of the history is in the archive
+
+    def propose(self, history: History, rng: Generator) -> Trial:
+        """Give out the next solution of the emitter's batch."""
+        if self.emitter is None:
+            self.emitter = self._recipe.made(history, rng)
+            base = library("ribs.emitters", user="RibsEmitter").EmitterBase
+            self._learns = type(self.emitter).tell is not base.tell
+        self._catch_up(self.emitter, len(history))
+        batch = self._batch
+        if batch is not None and batch.all_ended:
+            self._learn(self.emitter, batch)
+            batch = None
+        if batch is None or (batch.all_given and not self._learns):
+            batch = self._batch = _asked(self.emitter)
+        if not batch.all_given:
+            row = batch.take()
+            return OfBatch(self._command(batch.solutions[row]), batch=batch, row=row)
+        if self._surplus is None:
+            self._surplus = _Surplus(self.emitter)
+        return Trial(self._command(self._surplus.take()))
+
+    def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:
+        """Add the newest effect to the archive, as one of the batch."""
+        del effect  # it is in the history
+        batch = self._batch
+        if self.emitter is None or batch is None or not _is_of(trial, batch):
+            return
+        newest = len(self._history) - 1
+        self._catch_up(self.emitter, newest)
+        solution = batch.solutions[trial.row : trial.row + 1]
+        self._known = newest + 1
+        batch.end(trial.row, self._add(self.emitter, newest, newest + 1, solution))
+
+    def fail(self, trial: Trial, reason: str) -> None:
+        """Count the trial as the worst of its batch."""
+        del reason
+        if self._batch is not None and _is_of(trial, self._batch):
+            self._batch.end(trial.row)
+
     def _command(self, solution: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the command of a solution."""
         command: NDArray[np.float64] = np.clip(
             self._low + solution * self._width, self._low, self._high
         )
         return command
 
-    def _surplus(self) -> NDArray[np.float64]:
-        """Return one more solution, while some of a batch are under way."""
-        if self._spare is None:
-            archive = self._emitter.archive
-            self._spare = copy.deepcopy(self._emitter, {id(archive): archive})
-        if self._spare_batch is None or self._spare_batch.all_given:
-            self._spare_batch = _asked(self._spare)
-            self._spare_asks += 1
-        solution: NDArray[np.float64] = self._spare_batch.solutions[self._spare_batch.take()]
-        return solution
-
-    def _catch_up(self, history: History) -> None:
-        """Add to the archive what the history holds by now, in its order."""
-        for place in sorted(self._places):
-            self._add(history, self._known, place)
-            row = self._places[place]
-            assert self._batch is not None  # noqa: S101 - whoever notes a place has checked it
-            solution = self._batch.solutions[row : row + 1]
-            self._batch.reports[row] = self._add(history, place, place + 1, solution)
-            self._known = place + 1
-        self._places.clear()
-        self._add(history, self._known, len(history))
-        self._known = len(history)
+    def _catch_up(self, emitter: EmitterBase, stop: int) -> None:
+        """Add to the archive what the history holds up to a row."""
+        start, self._known = self._known, stop
+        if start < stop:
+            width = np.where(self._width > 0.0, self._width, 1.0)
+            solutions = (self._history.commands[start:stop] - self._low) / width
+            self._add(emitter, start, stop, solutions)
 
     def _add(
-        self,
-        history: History,
-        start: int,
-        stop: int,
-        solutions: NDArray[np.float64] | None = None,
-    ) -> Report | None:
-        """Add these effects to the archive; report on the last of them."""
-        if start >= stop:
-            return None
-        commands, effects = history.commands[start:stop], history.effects[start:stop]
-        if solutions is None:
-            solutions = (commands - self._low) / np.where(self._width > 0.0, self._width, 1.0)
+        self, emitter: EmitterBase, start: int, stop: int, solutions: NDArray[np.float64]
+    ) -> Report:
+        """Add rows of the history to the archive; report on the last of them."""
+        commands, effects = self._history.commands[start:stop], self._history.effects[start:stop]
         objectives = [self._worth(*pair) for pair in zip(effects, commands, strict=True)]
-        added: dict[str, Any] = self._emitter.archive.add(solutions, objectives, effects)
+        added: dict[str, Any] = emitter.archive.add(solutions, objectives, effects)
         return Report(effects[-1], objectives[-1], added)
 
     def _worth(self, effect: NDArray[np.float64], command: NDArray[np.float64]) -> float:
-        return (
-            0.0 if self.objective is None else real("objective()", self.objective(effect, command))
-        )
+        """Return the objective of an effect."""
+        objective = self._recipe.objective
+        return 0.0 if objective is None else real("objective()", objective(effect, command))
 
-    def _tell(self, batch: Batch) -> None:
-        """Tell the emitter what came of a whole batch."""
+    def _learn(self, emitter: EmitterBase, batch: Batch) -> None:
+        """Let the emitter learn what came of a whole batch."""
         self._batch = None
         known = [report for report in batch.reports if report is not None]
         if not known or not self._learns:
@@ -294,26 +289,38 @@ class RibsEmitter(Strategy):
         worst = copy.deepcopy(min(known, key=_standing))
         worst.added["status"] = np.zeros_like(worst.added["status"])
         reports = [worst if report is None else report for report in batch.reports]
-        self._emitter.tell(
+        emitter.tell(
             batch.solutions,
             np.array([report.objective for report in reports]),
             np.array([report.effect for report in reports]),
             {key: np.concatenate([report.added[key] for report in reports]) for key in worst.added},
         )
-        for _ in range(self._spare_asks):  # the copy has used up these draws
-            self._emitter.ask()
-        self._spare, self._spare_batch, self._spare_asks = None, None, 0
+        if self._surplus is not None:
+            for _ in range(self._surplus.asks):  # the copy has used up these draws
+                emitter.ask()
+            self._surplus = None
 
-    def __repr__(self) -> str:
-        words = [named(self.emitter)]
-        if self.box is not None:
-            words.append(f"box={self.box!r}")
-        words.append(
-            f"cells={self.cells}" if self.archive is None else f"archive={named(self.archive)}"
-        )
-        if self.objective is not None:
-            words.append(f"objective={named(self.objective)}")
-        return f"RibsEmitter({', '.join(words)})"
+
+class _Surplus:
+    """Solutions by a copy of an emitter with the same archive, while its batch is under way."""
+
+    def __init__(self, emitter: EmitterBase) -> None:
+        self._emitter = copy.deepcopy(emitter, {id(emitter.archive): emitter.archive})
+        self._batch = _asked(self._emitter)
+        self.asks = 1
+
+    def take(self) -> NDArray[np.float64]:
+        """Return the next solution."""
+        if self._batch.all_given:
+            self._batch = _asked(self._emitter)
+            self.asks += 1
+        solution: NDArray[np.float64] = self._batch.solutions[self._batch.take()]
+        return solution
+
+
+def _is_of(trial: Trial, batch: Batch) -> TypeGuard[OfBatch]:
+    """Say whether a trial is one of a batch."""
+    return isinstance(trial, OfBatch) and trial.batch is batch
 
 
 def _asked(emitter: EmitterBase) -> Batch:

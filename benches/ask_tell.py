@@ -1,11 +1,13 @@
 """What asking and telling costs, one trial at a time and a hundred, without the environment.
 
-ADAPT over motor and goal babbling on the 20-joint arm; the effects are found between the calls and
-not counted.
+ADAPT over motor and goal babbling on the 20-joint arm; the effects are computed between the calls
+and not counted.
 """
 
 import statistics
 import time
+
+import numpy as np
 
 import divbandit as db
 
@@ -38,7 +40,7 @@ def in_batches(arm, d, size=100):
         begin = clock()
         trials = explorer.ask(size)
         spent += clock() - begin
-        effects = arm(trials.commands)
+        effects = arm(np.array([trial.command for trial in trials]))
         begin = clock()
         explorer.tell(trials, effects)
         spent += clock() - begin

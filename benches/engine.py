@@ -6,6 +6,9 @@ a scalar loop over the standard library's sine and cosine (`benches/scalar_arm`)
 median over seeds of the best of some repetitions - of threads the best for all seeds together, of
 the long runs the only one - and all are taken in one process.
 
+Beside it stand the library's own composition, ADAPT over a function in Python that does nothing,
+the loop in Python, and asking and telling. What each may cost at most is said at the end.
+
     python benches/engine.py [--quick]
 """
 
@@ -22,6 +25,7 @@ from ribs.schedulers import Scheduler
 
 import divbandit as db
 import scalar_arm
+from ask_tell import STEPS, singly
 from divbandit.paper import setting
 from timing import fastest
 
@@ -65,6 +69,8 @@ def main():
 
     yardstick = plain_kinematics(size)
     engines = [engine(d, size) for d in setting.PERTURBATIONS]
+    own, nothing = default_engine(size), idle_function(size)
+    loops, asking = [python_loop(d, size) for d in setting.PERTURBATIONS], ask_and_tell(size)
     several = [threads(d, size) for d in setting.PERTURBATIONS]
     long = [long_engine(d, size) for d in setting.PERTURBATIONS]
     rows = [
@@ -72,7 +78,10 @@ def main():
         *engines,
         *(row for row, _ in several),
         *long,
-        *(python_loop(d, size) for d in setting.PERTURBATIONS),
+        own,
+        nothing,
+        *loops,
+        asking,
         *draws(size),
         pyribs(size),
     ]
@@ -87,6 +96,17 @@ def main():
     for d, one, other in zip(setting.PERTURBATIONS, engines, long, strict=True):
         growth = other.step / one.step
         print(f"d = {d}: a step of {size.long} costs {growth:.2f} times one of {size.n}.")
+
+    adapt = engines[1].step
+    limits = [
+        ("ADAPT in Rust, of the plain kinematics", adapt / yardstick.step, 3.3),
+        ("the library's own composition in Rust, of ADAPT", own.step / adapt, 8.0),
+        ("ADAPT over an idle function, us", nothing.step * 1e6, 3.0),
+        ("ADAPT in Python, us", loops[1].step * 1e6, 10.0),
+        ("a trial asked and told, us", asking.step * 1e6, 10.0),
+    ]
+    for work, found, most in limits:
+        print(f"{work}: {found:.2f}, at most {most}" + ("" if found <= most else ": EXCEEDED"))
 
 
 def over_seeds(work, size):
@@ -111,9 +131,29 @@ def engine(d, size):
 def python_loop(d, size):
     step, runs = over_seeds(lambda seed: explored(d, size.n, seed, by="python"), size)
     again = explored(d, size.n, 0)
-    for name in ("commands", "effects", "paths", "diversities"):
+    for name in ("commands", "effects", "paths", "estimates"):
         assert np.array_equal(getattr(again, name), getattr(runs[0], name)), name
     return Row(f"exploration in Python, d = {d}", step, median_diversity(runs))
+
+
+def default_engine(size):
+    strategy = db.default_strategy(setting.TAU)
+    step, runs = over_seeds(lambda seed: db.explore(ARM, strategy, size.n, rng=seed), size)
+    return Row("exploration in Rust, default_strategy", step, median_diversity(runs))
+
+
+def idle_function(size):
+    """Explore what costs nothing: a function in Python whose effect is always the same."""
+    effect = np.zeros(2)
+    idle = db.FunctionEnvironment(lambda _: effect, ARM.motor_space, ARM.sensory_space)
+    strategy = setting.adapt(MIDDLE)
+    step, _ = over_seeds(lambda seed: db.explore(idle, strategy, size.n, rng=seed), size)
+    return Row("exploration in Rust, an idle function in Python", step)
+
+
+def ask_and_tell(size):
+    step = min(singly(ARM, MIDDLE) for _ in range(size.repeat))
+    return Row(f"ask() and tell(), n = {STEPS}", step)
 
 
 def threads(d, size):

@@ -33,18 +33,18 @@ OBSTRUCTED_WORK = "arm of 20 links among 10 obstacles to its first contact"
 OBSTRUCTED = db.PlanarArm(
     20,
     obstacles=[
-        db.Disc([0.3, 0.45], 0.1),
-        db.Disc([-0.3, -0.4], 0.05),
-        db.Disc([0.8, -0.5], 0.1),
-        db.Rectangle([-0.6, -0.8], [-0.3, -0.6]),
-        db.Rectangle([0.1, -0.7], [0.3, -0.4]),
-        db.Polygon(
+        db.environments.Disc([0.3, 0.45], 0.1),
+        db.environments.Disc([-0.3, -0.4], 0.05),
+        db.environments.Disc([0.8, -0.5], 0.1),
+        db.environments.Rectangle([-0.6, -0.8], [-0.3, -0.6]),
+        db.environments.Rectangle([0.1, -0.7], [0.3, -0.4]),
+        db.environments.Polygon(
             [[0.5, -0.4], [0.8, -0.4], [0.8, -0.35], [0.55, -0.35], [0.55, -0.2], [0.5, -0.2]]
         ),
-        db.Polygon([[-0.2, 0.5], [0, 0.9], [-0.4, 0.9], [-0.2, 0.7]]),
-        db.Wall([-0.5, 0.2], [-0.3, 0.6], thickness=0.02),
-        db.Wall([0.6, 0.4], [0.9, 0.5]),
-        db.Wall([-0.9, 0], [-0.5, 0], thickness=0.01),
+        db.environments.Polygon([[-0.2, 0.5], [0, 0.9], [-0.4, 0.9], [-0.2, 0.7]]),
+        db.environments.Wall([-0.5, 0.2], [-0.3, 0.6], thickness=0.02),
+        db.environments.Wall([0.6, 0.4], [0.9, 0.5]),
+        db.environments.Wall([-0.9, 0], [-0.5, 0], thickness=0.01),
     ],
 )
 

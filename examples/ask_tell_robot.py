@@ -1,7 +1,7 @@
 """A robot is asked for one trial at a time; the program dies half-way, and the next goes on.
 
-The robot may fall, which is told as a failure. After each trial the explorer is saved; the next
-program continues as the first would have, bit by bit.
+The robot may fall, which makes the trial a failure. After each trial the explorer is saved; the
+next program continues as the first would have, bit by bit.
 """
 
 import tempfile

@@ -9,7 +9,7 @@ import divbandit as db
 from divbandit.environments.mujoco import pusher
 
 # A command is three weights and a goal for each joint: movement primitives, five seconds long.
-primitives = db.MovementPrimitives(7, basis=3, steps=100, weights=0.5)
+primitives = db.controllers.MovementPrimitives(7, basis=3, steps=100, weights=0.5)
 
 with pusher(primitives) as environment:
     start = environment(np.zeros(environment.motor_space.dim))  # the arm stays where it is

@@ -14,8 +14,8 @@ from divbandit.environments.mujoco import fingertip, reacher_positions, reacher_
 # A command is ten weights and two goals of movement primitives, whose trajectories of 50 steps are
 # followed by springs and dampers that are weak. `divbandit.environments.mujoco.reacher(primitives)`
 # is the same, ready-made.
-primitives = db.MovementPrimitives(2, basis=5, steps=50)
-controller = db.Tracking(
+primitives = db.controllers.MovementPrimitives(2, basis=5, steps=50)
+controller = db.controllers.Tracking(
     primitives,
     reacher_positions,
     reacher_velocities,
@@ -27,7 +27,7 @@ controller = db.Tracking(
 make = partial(gymnasium.make, "Reacher-v5", reward_control_weight=0.0)
 reachable = db.Box([-0.21, -0.21], [0.21, 0.21])
 
-with db.GymnasiumEnvironment(
+with db.environments.GymnasiumEnvironment(
     make, controller, fingertip, 50, seed=0, sensory_space=reachable
 ) as reacher:
     babblings = [db.MotorBabbling(), db.GoalBabbling(0.05), db.GoalBabbling(0.2)]

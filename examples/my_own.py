@@ -1,4 +1,4 @@
-"""A black box and a strategy of one's own, chosen among by ADAPT."""
+"""A user-defined black box, and a user-defined strategy that ADAPT chooses among others."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ lawn = db.FunctionEnvironment(stroke, db.Box([0, -1, -1], [1, 1, 1]), db.Box([0,
 
 
 class Farther(db.Strategy):
-    """Repeat the command that went farthest, with one coordinate drawn anew."""
+    """Repeat the command that went farthest, with one coordinate drawn again."""
 
     best, distance = None, 0.0
 

@@ -1,4 +1,4 @@
-"""ADAPT chooses among samplers of Optuna: some find what nobody has found, others the best.
+"""ADAPT chooses among samplers of Optuna: some find what was not found before, others the best.
 
 Needs Optuna: ``pip install 'divbandit[optuna]'``.
 """
@@ -9,17 +9,17 @@ import optuna
 
 import divbandit as db
 from divbandit.adapters import OptunaSampler
-from divbandit.bandits import CoverageGain
+from divbandit.bandits import Gain
 
 arm = db.PlanarArm(6)
-GAIN = CoverageGain(0.05)
+GAIN = Gain(db.measures.BallCoverage(0.05))
 TPE = partial(optuna.samplers.TPESampler, n_startup_trials=20)
 parts = {
-    "random": OptunaSampler(optuna.samplers.RandomSampler, credit=GAIN),
-    "CMA-ES": OptunaSampler(optuna.samplers.CmaEsSampler, credit=GAIN),
-    "TPE": OptunaSampler(TPE, credit=GAIN),
+    "random": OptunaSampler(optuna.samplers.RandomSampler, reward=GAIN),
+    "CMA-ES": OptunaSampler(optuna.samplers.CmaEsSampler, reward=GAIN),
+    "TPE": OptunaSampler(TPE, reward=GAIN),
     # A sampler optimises what each of its effects newly covers, or whatever else is wanted.
-    "TPE, to the right": OptunaSampler(TPE, credit=lambda effect, _: float(effect[0])),
+    "TPE, to the right": OptunaSampler(TPE, reward=lambda effect, _: float(effect[0])),
 }
 adapt = db.Adapt(parts.values(), tau=0.05)
 for name, strategy in {**parts, "ADAPT": adapt}.items():

@@ -1,4 +1,4 @@
-"""Any program is explored: a pendulum whose simulator is a program of its own.
+"""Any program is explored: a pendulum whose simulator is another program.
 
 The motor command is written onto the program's command line - when to push, how hard, how long -
 and what the program prints, as JSON, is the effect: the angle and the speed in the end. The
@@ -33,7 +33,9 @@ with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(4) as executor:
     path = Path(folder, "pendulum.py")
     path.write_text(SIMULATOR, encoding="utf-8")
     words = [sys.executable, "-S", str(path)]
-    pendulum = db.ProcessEnvironment(words, motor_space, sensory_space, timeout=60, entry="state")
+    pendulum = db.environments.ProcessEnvironment(
+        words, motor_space, sensory_space, timeout=60, entry="state"
+    )
     strategy = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.1)], tau=0.2)
     run = db.explore(pendulum, strategy, 200, rng=0, executor=executor, in_flight=4)
 

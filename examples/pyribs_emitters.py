@@ -12,7 +12,7 @@ arm = db.PlanarArm(12)
 
 
 def small_steps(archive, seed):
-    """Make an emitter of one's own choice; its solutions are shares of the motor ranges."""
+    """Make any emitter; its solutions are shares of the motor ranges."""
     return GaussianEmitter(archive, sigma=0.02, x0=[0.5] * archive.solution_dim, seed=seed)
 
 

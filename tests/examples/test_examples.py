@@ -73,8 +73,8 @@ def test_optuna_samplers(run):
     assert covered(text)["ADAPT"] > covered(text)["TPE, to the right"]
 
 
-def test_mabwiser_rule(run):
-    text = run("mabwiser_rule")
+def test_mabwiser_policy(run):
+    text = run("mabwiser_policy")
     assert list(covered(text)) == ["epsilon-greedy", "UCB1", "Thompson", "ADAPT"]
     motor_babbling_alone = 0.55  # square metres; the most of twenty seeds, rounded up
     assert min(covered(text).values()) > motor_babbling_alone

@@ -2,7 +2,8 @@
 
 Strategies: `RibsEmitter` (pyribs), `OptunaSampler` (Optuna), `QuasiRandomBabbling` (SciPy). A
 policy of bandits: `MabwiserPolicy` (MABWiser). A black box as an environment of Gymnasium:
-`OneStepEnv`. Each imports its library when it is first used: ``pip install 'divbandit[ribs]'`` and so on.
+`OneStepEnv`. Each imports its library when it is first used: ``pip install 'divbandit[ribs]'``, for
+instance.
 """
 
 from typing import TYPE_CHECKING

@@ -107,6 +107,6 @@ class _Summarize:
 
 
 def _usage(run: Exploration) -> NDArray[np.float64]:
-    parts = 0 if run.diversities is None else run.diversities.shape[1]
-    chosen = run.choices[run.choices >= 0]  # -1: no part was chosen
+    parts = 0 if run.estimates is None else run.estimates.shape[1]
+    chosen = run.choices[run.choices >= 0]  # -1 where no part of a strategy proposed
     return np.bincount(chosen, minlength=max(parts, 1)) / len(run)

@@ -11,8 +11,8 @@ from divbandit.experiments import Task, explore_many
 from divbandit.measures import coverage
 from divbandit.paper import setting
 from divbandit.paper.figure1 import frame
-from divbandit.plot import diversity, spread, style, usage
-from divbandit.plot.data import diversities_of, usage_of
+from divbandit.plot import estimates, spread, style, usage
+from divbandit.plot.data import estimates_of, usage_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -77,7 +77,7 @@ def draw(rows: Sequence[Row]) -> Figure:
         frame(left)
         left.set_title(f"({letter}) d = {row.d}: {covered:.2f} m² covered")
 
-        diversity(1e4 * diversities_of(row.exploration), labels=setting.LABELS, ax=middle)
+        estimates(1e4 * estimates_of(row.exploration), labels=setting.LABELS, ax=middle)
         middle.set_ylabel("diversity: mean gain (cm²)")
         middle.set_title(f"diversity, d = {row.d}")
 

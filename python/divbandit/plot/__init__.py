@@ -3,7 +3,7 @@
 What is drawn is computed in `divbandit.plot.data`, so that it can be had without a picture.
 """
 
-from divbandit.plot.diversity import diversity
+from divbandit.plot.estimates import estimates
 from divbandit.plot.mixtures import mixtures
 from divbandit.plot.postures import postures
 from divbandit.plot.ranking import ranking
@@ -12,4 +12,4 @@ from divbandit.plot.series import series
 from divbandit.plot.spread import spread
 from divbandit.plot.usage import usage
 
-__all__ = ["diversity", "mixtures", "postures", "ranking", "scene", "series", "spread", "usage"]
+__all__ = ["estimates", "mixtures", "postures", "ranking", "scene", "series", "spread", "usage"]

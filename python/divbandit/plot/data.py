@@ -75,22 +75,22 @@ def means_and_deviations(data: ArrayLike) -> NDArray[np.float64]:
     return points
 
 
-def diversities_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
-    """Return what a bandit believed at each step, shape (n, q).
+def estimates_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
+    """Return what a bandit believed before each choice, shape (n, q).
 
     Examples
     --------
-    >>> diversities_of([[0.1, 0.2], [0.1, 0.3]]).shape
+    >>> estimates_of([[0.1, 0.2], [0.1, 0.3]]).shape
     (2, 2)
     """
     if isinstance(data, Exploration):
-        if data.diversities is None:
-            raise ValueError("data must be the exploration of a bandit: it has no diversities")
-        return data.diversities
-    diversities = numbers("data", data)
-    if diversities.ndim != 2:
-        raise ValueError(f"data must hold diversities of shape (n, q), got {diversities.shape}")
-    return diversities
+        if data.estimates is None:
+            raise ValueError("data must be the exploration of a bandit: it has no estimates")
+        return data.estimates
+    estimates = numbers("data", data)
+    if estimates.ndim != 2:
+        raise ValueError(f"data must hold estimates of shape (n, q), got {estimates.shape}")
+    return estimates
 
 
 def usage_of(
@@ -132,7 +132,7 @@ def usage_of(
         raise ValueError(f"data must hold choices, indices of shape (n,), got {choices!r}")
     least = int(choices.max()) + 1
     if strategies is None:
-        known = data.diversities if isinstance(data, Exploration) else None
+        known = data.estimates if isinstance(data, Exploration) else None
         strategies = least if known is None else known.shape[1]
     strategies = whole("strategies", strategies, low=least)
     counts = np.zeros((len(choices) + 1, strategies))

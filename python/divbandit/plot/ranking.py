@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from divbandit.plot import style
 from divbandit.plot.data import means_and_deviations
-from divbandit.plot.diversity import check_labels
+from divbandit.plot.estimates import check_labels
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -52,7 +52,8 @@ def scene(data: Obstructed | Iterable[Obstacle], *, unit: str = "", ax: Axes | N
     --------
     >>> import divbandit as db
     >>> from divbandit import plot
-    >>> arm = db.PlanarArm(5, obstacles=[db.Disc([0.5, 0.4], 0.1), db.Wall([-1, 0.8], [1, 0.8])])
+    >>> from divbandit.environments import Disc, Wall
+    >>> arm = db.PlanarArm(5, obstacles=[Disc([0.5, 0.4], 0.1), Wall([-1, 0.8], [1, 0.8])])
     >>> ax = plot.scene(arm, unit="m")
     >>> len(ax.patches), len(ax.lines)
     (1, 1)

@@ -8,7 +8,7 @@ import numpy as np
 
 from divbandit.plot import style
 from divbandit.plot.data import means_and_deviations, numbers
-from divbandit.plot.diversity import check_labels
+from divbandit.plot.estimates import check_labels
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

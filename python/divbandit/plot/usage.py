@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from divbandit.plot import style
 from divbandit.plot.data import usage_of
-from divbandit.plot.diversity import check_labels, curves
+from divbandit.plot.estimates import check_labels, curves
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

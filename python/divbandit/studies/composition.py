@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit.bandits import Adapt, default_strategy
+from divbandit.goals import UncoveredGoals, UntriedGoals
+from divbandit.inverse import LocalJacobian, Nearest
 from divbandit.paper import setting
 from divbandit.plot import ranking, style
 from divbandit.strategies import GoalBabbling, MotorBabbling
-from divbandit.goals import UncoveredGoals, UntriedGoals
-from divbandit.inverse import LocalJacobian, Nearest
 from divbandit.studies.cases import Case, Outcome, outcomes
 
 if TYPE_CHECKING:
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from divbandit.experiments.explore_many import Progress
-    from divbandit.strategies import Strategy
     from divbandit.goals import GoalSampler
-    from divbandit.strategies.inverse import InverseModel
+    from divbandit.inverse import InverseModel
+    from divbandit.strategies import Strategy
 
 NAME = "composition"
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from divbandit.bandits import (
     UCB,
     Bandit,
-    CoverageGain,
     Discounted,
     EpsilonGreedy,
     Exp3,
@@ -27,24 +26,24 @@ from divbandit.paper import setting
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from divbandit.bandits import Memory, Rule
+    from divbandit.bandits import Estimator, Policy
     from divbandit.strategies import Strategy
 
 
 @dataclass(frozen=True)
 class Contender:
-    """A memory and a rule under a name; their credit is always the newly covered area.
+    """An estimator and a policy under a name; the reward is always the newly covered area.
 
     Attributes
     ----------
     name : str
-    memory : Memory
-    rule : Rule
+    estimator : Estimator
+    policy : Policy
     """
 
     name: str
-    memory: Memory
-    rule: Rule
+    estimator: Estimator
+    policy: Policy
 
     def over(self, strategies: Iterable[Strategy]) -> Bandit:
         """Return the bandit over these strategies.
@@ -55,8 +54,7 @@ class Contender:
         >>> len(PAPER.over([db.MotorBabbling(), db.GoalBabbling(0.05)]).strategies)
         2
         """
-        credit = CoverageGain(setting.TAU)
-        return Bandit(strategies, credit=credit, memory=self.memory, rule=self.rule)
+        return Bandit(strategies, tau=setting.TAU, estimator=self.estimator, policy=self.policy)
 
 
 #: The square of 0.03: a "small bonus" is three hundredths of one scaled by the largest gain.
@@ -64,7 +62,7 @@ _SMALL = 0.0009
 
 #: The paper's ADAPT.
 PAPER = Contender("ADAPT", Window(50, head_start=1), Proportional(0.1))
-#: Sharper than the paper's, by a memory that fades with time.
+#: Sharper than the paper's, by an estimator that discounts the past.
 DISCOUNTED = Contender(
     "discounted ADAPT", Discounted(0.99, head_start=1), Proportional(0.05, power=8.0)
 )

@@ -10,6 +10,7 @@ from divbandit.history import History
 from divbandit.measures import Coverage
 from divbandit.paper import setting
 from divbandit.strategies import Trial
+from divbandit.strategies.base import Starter
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 def hindsight(
     environment: Environment, strategies: Sequence[Strategy], n: int, rng: SeedSequence
 ) -> NDArray[np.float64]:
-    """Explore for `n` steps as one who sees all outcomes before choosing.
+    """Explore for `n` steps, seeing all outcomes before each choice.
 
     At each step every strategy proposes a command, in order, and each is tried. The one whose
     effect gains most is kept; the others are as if they had never been. Of several with the same
@@ -35,7 +36,7 @@ def hindsight(
     ----------
     environment : Environment
     strategies : sequence of Strategy
-        Such as learn nothing but from the history, as motor and goal babbling.
+        Such as learn from the history alone, like motor and goal babbling.
     n : int
         How many effects to keep.
     rng : SeedSequence
@@ -57,9 +58,10 @@ def hindsight(
     """
     draw = np.random.default_rng(rng)
     history = History(environment.motor_space, environment.sensory_space)
+    running = [Starter(history)(strategy) for strategy in strategies]
     covered = Coverage(setting.TAU)
     for _ in range(n):
-        commands = [Trial.of(each.propose(history, draw)).command for each in strategies]
+        commands = [Trial.of(each.propose(history, draw)).command for each in running]
         effects = [environment(command) for command in commands]
         gains = [covered.gain(effect) for effect in effects]
         most = max(gains)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit.strategies import Strategy, Trial
+from divbandit.strategies.base import StrategyValue
 
 if TYPE_CHECKING:
     import numpy as np
@@ -12,12 +14,12 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from divbandit.history import History
+    from divbandit.strategies.base import Starter
 
 
-class Repeating(Strategy):
+@dataclass(frozen=True, init=False, repr=False)
+class Repeating(StrategyValue):
     """A command drawn uniformly in M, at each step the same: a strategy that finds nothing.
-
-    The command belongs to one history; asked about another, it draws a new one.
 
     Examples
     --------
@@ -27,15 +29,19 @@ class Repeating(Strategy):
     True
     """
 
-    def __init__(self) -> None:
-        self._history: History | None = None
-        self._command: NDArray[np.float64] | None = None
+    def start(self, start: Starter) -> Strategy:
+        """Return a strategy without a command yet."""
+        del start
+        return _Repeating()
+
+
+class _Repeating(Strategy):
+    """The command, once it is drawn."""
+
+    _command: NDArray[np.float64] | None = None
 
     def propose(self, history: History, rng: Generator) -> Trial:
         """Return the command; at first one ``rng.random()`` a coordinate draws it."""
-        if self._command is None or history is not self._history:
-            self._history, self._command = history, history.motor_space.sample(rng)
+        if self._command is None:
+            self._command = history.motor_space.sample(rng)
         return Trial(self._command)
-
-    def __repr__(self) -> str:
-        return "Repeating()"

@@ -31,7 +31,7 @@ _MIXTURE, _HINDSIGHT = "mixture", "hindsight"
 
 @dataclass(frozen=True)
 class Row:
-    """What one rule, or a mixture, or hindsight, reached in one setting.
+    """What one bandit, or a mixture, or hindsight, reached in one setting.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Row:
         The perturbation of goal babbling.
     name : str
     parts : str
-        Its memory and rule, or a mixture's share of motor babbling.
+        Its estimator and policy, or a mixture's share of motor babbling.
     outcome : Outcome
     """
 
@@ -71,7 +71,7 @@ def run(
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> list[Row]:
-    """Explore the arm with each rule, each of the 21 mixtures and hindsight, for each d.
+    """Explore the arm with each bandit, each of the 21 mixtures and hindsight, for each d.
 
     The mixtures have figure 4's seeds: at full size they are its points.
     """
@@ -79,7 +79,7 @@ def run(
     for i, d in enumerate(setting.PERTURBATIONS):
         strategies = [MotorBabbling(), GoalBabbling(d)]
         for j, contender in enumerate(CONTENDERS):
-            keys.append((d, contender.name, f"{contender.memory!r}, {contender.rule!r}"))
+            keys.append((d, contender.name, f"{contender.estimator!r}, {contender.policy!r}"))
             cases.append(Case(contender.over(strategies), (steps,), (5, i, j)))
         for j, ratio in enumerate(setting.RATIOS):
             keys.append((d, _MIXTURE, repr(ratio)))
@@ -146,7 +146,7 @@ def table(rows: Sequence[Row]) -> str:
     """Return what was reached as text: means, deviations, and shares of the best mixture's."""
     sorted_rows = panels(rows)
     head = "".join(f"{f'd = {panel.d}':>24}" for panel in sorted_rows)
-    lines = [f"{'coverage in m²':22}{head}{'worst':>8}  memory, rule"]
+    lines = [f"{'coverage in m²':22}{head}{'worst':>8}  estimator, policy"]
     for index, contender in enumerate(CONTENDERS):
         of_all = [panel.bandits[index] for panel in sorted_rows]
         shares = [panel.relative(row) for panel, row in zip(sorted_rows, of_all, strict=True)]

@@ -1,4 +1,4 @@
-"""diversity: what a bandit believed of its strategies, over time."""
+"""estimates: what a bandit believed of its strategies, over time."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from divbandit.plot import style
-from divbandit.plot.data import diversities_of
+from divbandit.plot.data import estimates_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -18,23 +18,23 @@ if TYPE_CHECKING:
     from divbandit.exploration import Exploration
 
 
-def diversity(
+def estimates(
     data: Exploration | ArrayLike,
     *,
     labels: Sequence[str] | None = None,
     unit: str = "",
     ax: Axes | None = None,
 ) -> Axes:
-    """Draw each strategy's diversity against the steps.
+    """Draw a bandit's estimate of each strategy against the steps.
 
     Parameters
     ----------
     data : Exploration or array_like, shape (n, q)
-        The diversities before each choice.
+        The estimates before each choice.
     labels : sequence of str, optional
         The strategies' names.
     unit : str
-        The unit of a gain, for the label of the axis.
+        The unit of a reward, for the label of the axis.
     ax : matplotlib.axes.Axes, optional
         Where to draw; by default in a new figure.
 
@@ -53,16 +53,16 @@ def diversity(
     >>> from divbandit import plot
     >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
     >>> run = db.explore(db.PlanarArm(20), adapt, n=100, rng=0)
-    >>> ax = plot.diversity(run, labels=["motor babbling", "goal babbling"])
+    >>> ax = plot.estimates(run, labels=["motor babbling", "goal babbling"])
     >>> len(ax.lines)
     2
     """
-    diversities = diversities_of(data)
-    check_labels(labels, diversities.shape[1])
+    believed = estimates_of(data)
+    check_labels(labels, believed.shape[1])
     ax = style.axes(ax)
-    curves(ax, diversities, labels)
+    curves(ax, believed, labels)
     ax.set_ylim(bottom=0)
-    ax.set_ylabel(style.with_unit("diversity", unit))
+    ax.set_ylabel(style.with_unit("estimate", unit))
     return ax
 
 

@@ -1,4 +1,4 @@
-"""Policies of MABWiser choose among goal babblings; the bandit's other two parts are our own.
+"""Policies of MABWiser choose among goal babblings; the bandit's other two parts are built in.
 
 Needs MABWiser: ``pip install 'divbandit[mabwiser]'``.
 """
@@ -6,16 +6,16 @@ Needs MABWiser: ``pip install 'divbandit[mabwiser]'``.
 from mabwiser.mab import LearningPolicy
 
 import divbandit as db
-from divbandit.adapters import MabwiserRule
-from divbandit.bandits import CoverageGain, Proportional, WholePast, Window
+from divbandit.adapters import MabwiserPolicy
+from divbandit.bandits import Proportional, WholePast, Window
 
 arm = db.PlanarArm(20)
 babblings = [db.MotorBabbling(), *(db.GoalBabbling(d) for d in (0.001, 0.05, 0.5))]
 
 
-def bandit(rule, memory):
+def bandit(policy, estimator):
     """Return a bandit that is rewarded for the area that effects newly cover."""
-    return db.Bandit(babblings, credit=CoverageGain(0.02), memory=memory, rule=rule)
+    return db.Bandit(babblings, tau=0.02, estimator=estimator, policy=policy)
 
 
 def is_success(_, share):
@@ -24,10 +24,10 @@ def is_success(_, share):
 
 
 bandits = {
-    # A policy remembers its whole past by itself; the memory only tells what is believed.
-    "epsilon-greedy": bandit(MabwiserRule(LearningPolicy.EpsilonGreedy(0.1)), WholePast()),
-    "UCB1": bandit(MabwiserRule(LearningPolicy.UCB1(0.5)), WholePast()),
-    "Thompson": bandit(MabwiserRule(LearningPolicy.ThompsonSampling(is_success)), WholePast()),
+    # A policy of MABWiser has estimates of its own; the estimator says what the run records.
+    "epsilon-greedy": bandit(MabwiserPolicy(LearningPolicy.EpsilonGreedy(0.1)), WholePast()),
+    "UCB1": bandit(MabwiserPolicy(LearningPolicy.UCB1(0.5)), WholePast()),
+    "Thompson": bandit(MabwiserPolicy(LearningPolicy.ThompsonSampling(is_success)), WholePast()),
     "ADAPT": bandit(Proportional(0.1), Window(50)),
 }
 for name, strategy in bandits.items():

@@ -5,7 +5,7 @@ import pytest
 
 import divbandit as db
 from tests.exploration.golden.configurations import CONFIGURATIONS
-from tests.exploration.golden.digest import digest
+from tests.exploration.golden.digest import NAMES, digest
 from tests.exploration.golden.traces import read
 
 TRACES = read()
@@ -31,7 +31,7 @@ def test_a_digest_depends_on_every_bit_and_on_no_byte_order():
     adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
     run = db.explore(db.PlanarArm(2), adapt, 20, rng=0)
     before = digest(run, 0.5)
-    for name in ("commands", "effects", "paths", "diversities"):
+    for key, name in NAMES.items():
         array = getattr(run, name)
         kept = array.copy()
         object.__setattr__(run, name, array.astype(array.dtype.newbyteorder(">")))
@@ -39,6 +39,6 @@ def test_a_digest_depends_on_every_bit_and_on_no_byte_order():
         object.__setattr__(run, name, array)
         array.view(np.uint64)[-1, 0] ^= 1
         changed = digest(run, 0.5)
-        assert {key for key in before if changed[key] != before[key]} == {name}
+        assert {each for each in before if changed[each] != before[each]} == {key}
         array[:] = kept
     assert digest(run, 0.25) != before

@@ -21,6 +21,7 @@ from divbandit._checks import real, whole
 from divbandit._core import powers, proportionally
 from divbandit.bandits.bandit import RewardedValue, tau_or_reward
 from divbandit.bandits.estimators import Window
+from divbandit.bandits.estimators.window import LONGEST
 from divbandit.bandits.running import RunningBandit
 from divbandit.strategies.composite import strategies_of
 
@@ -119,7 +120,7 @@ class Adapt(RewardedValue):
     ) -> None:
         every = strategies_of(strategies)
         radius, paid = tau_or_reward(_TAU if tau is reward is None else tau, reward)
-        size = whole("window", window, low=1, high=Window.LONGEST)
+        size = whole("window", window, low=1, high=LONGEST)
         self._set(
             strategies=every,
             tau=radius,

@@ -17,7 +17,7 @@ class Configuration:
     """An arm, a strategy, how many steps, and the bit generator, of seed 0."""
 
     strategy: db.Strategy
-    arm: db.PlanarArm = ARM
+    arm: db.Environment = ARM
     n: int = 1000
     bit_generator: type[BitGenerator] = PCG64
 
@@ -71,7 +71,7 @@ def settings():
     yield "alpha 1", Configuration(db.Adapt(parts, alpha=1))
     yield "window 1, alpha 0", Configuration(db.Adapt(parts, window=1, alpha=0))
     yield "no head start", Configuration(db.Adapt(parts, tau=0.2, head_start=0))
-    measured = db.Adapt(parts, measure=db.Coverage(0.1), window=20, head_start=20)
+    measured = db.Adapt(parts, tau=0.1, window=20, head_start=20)
     yield "a measure given", Configuration(measured)
 
 
@@ -82,9 +82,8 @@ def arms():
     yield "40 joints", Configuration(adapt, arm=db.PlanarArm(40), n=500)
     yield "a tight limit", Configuration(adapt, arm=db.PlanarArm(20, limit=0.01))
     yield "many turns", Configuration(adapt, arm=db.PlanarArm(7, limit=40.0), n=500)
-    narrow = db.PlanarArm(3)
-    narrow.motor_space = db.Box([-1.0, 0.25, -2.0], [0.5, 0.25, 2.5])
-    narrow.sensory_space = db.Box([0.0, -1e9], [1.0, 1e9])
+    spaces = db.Box([-1.0, 0.25, -2.0], [0.5, 0.25, 2.5]), db.Box([0.0, -1e9], [1.0, 1e9])
+    narrow = db.FunctionEnvironment(db.PlanarArm(3), *spaces)
     yield "spaces of one's own", Configuration(adapt, arm=narrow)
 
 

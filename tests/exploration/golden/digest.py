@@ -2,12 +2,18 @@
 
 import hashlib
 
-NAMES = ("commands", "effects", "paths", "diversities")
+#: The arrays of a run, by what the traces call them: `estimates` were once `diversities`.
+NAMES = {
+    "commands": "commands",
+    "effects": "effects",
+    "paths": "paths",
+    "diversities": "estimates",
+}
 
 
 def digest(run, following):
     """Return the shape and the digest of each array, and the draw that followed, for JSON."""
-    arrays = {name: getattr(run, name) for name in NAMES}
+    arrays = {name: getattr(run, attribute) for name, attribute in NAMES.items()}
     kept = {name: None if array is None else _of(array) for name, array in arrays.items()}
     return {**kept, "next draw": following.hex()}
 

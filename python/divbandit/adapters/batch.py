@@ -72,7 +72,6 @@ class Batch:
         self.reports[row] = report
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
 class OfBatch(Trial):
     """A trial of one solution of a batch.
 
@@ -92,3 +91,9 @@ class OfBatch(Trial):
 
     batch: Batch
     row: int
+
+    def __new__(cls, command: ArrayLike, *, batch: Batch, row: int) -> Self:
+        """Make one."""
+        trial = super().__new__(cls, command)
+        trial.batch, trial.row = batch, row
+        return trial

@@ -38,11 +38,16 @@ _GAIN = Gain(BallCoverage(0.02))
 _VERBOSITY = threading.Lock()
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
 class _OfStudy(Trial):
     """A trial that has a number in a study."""
 
     study_number: int
+
+    def __new__(cls, command: ArrayLike, *, study_number: int) -> Self:
+        """Make one."""
+        trial = super().__new__(cls, command)
+        trial.study_number = study_number
+        return trial
 
 
 @dataclass(frozen=True, init=False, repr=False)

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from divbandit.bandits.rewards import Reward
     from divbandit.history import History
     from divbandit.strategies.base import Starter, Strategy
-    from divbandit.strategies.trial import Trial
+    from divbandit._core import Trial
 
 
 #: The paper's radius of the discs.

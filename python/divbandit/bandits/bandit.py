@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from divbandit.box import Box
     from divbandit.history import History
     from divbandit.strategies.base import Starter, Strategy
-    from divbandit.strategies.trial import Trial
+    from divbandit._core import Trial
 
     Rewarding = Reward | Callable[[NDArray[np.float64], History], float]
 

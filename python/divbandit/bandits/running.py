@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from divbandit.bandits.estimators import Estimator
     from divbandit.bandits.rewards import Reward
     from divbandit.strategies.base import Starter, Strategy
-    from divbandit.strategies.trial import Trial
+    from divbandit._core import Trial
 
 #: Rewards beyond this could not be summed up.
 _MOST = 1e300

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from divbandit._core import Engine, NotBuiltInError
+from divbandit._core import Engine, NotBuiltInError, Trial
 from divbandit.strategies.base import Starter, Strategy
-from divbandit.strategies.trial import Trial
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -100,13 +99,12 @@ class RustDriver:
 
     def ask(self, number: int, rng: Generator) -> Trial:
         """Return the next trial."""
-        command, goal, path = self._engine.ask(self._log, rng)
-        return Trial(command, goal=goal, path=path, number=number)
+        del number  # the engine counts them too
+        return self._engine.ask(self._log, rng)
 
     def under_way(self, number: int) -> Trial:
         """Return a trial that `run` asked for, and whose evaluation it did not finish."""
-        command, goal, path = self._engine.proposed(number)
-        return Trial(command, goal=goal, path=path, number=number)
+        return self._engine.proposed(number)
 
     def tell(self, trial: Trial, command: NDArray[np.float64], effect: NDArray[np.float64]) -> None:
         """Record the effect of a trial, and let the strategy learn from it."""
@@ -146,15 +144,9 @@ class PythonDriver:
     def ask(self, number: int, rng: Generator) -> Trial:
         """Return the next trial; its `inner` one is what the strategy proposed."""
         proposed = Trial.of(self.strategy.propose(self._history, rng))
+        trial = proposed.given_out(self._checked(proposed), number)
         self._believed[number] = self.strategy.estimates
-        return Trial(
-            self._checked(proposed),
-            goal=proposed.goal,
-            path=proposed.path,
-            probability=proposed.probability,
-            inner=proposed,
-            number=number,
-        )
+        return trial
 
     def _checked(self, proposed: Trial) -> NDArray[np.float64]:
         """Return a copy of the command, so that a change of the array does not change the log."""

@@ -13,7 +13,7 @@ from divbandit.exploration.journal import Event, Journal
 from divbandit.exploration.result import Exploration
 from divbandit.history import Failure, History
 from divbandit.strategies.base import Strategy
-from divbandit.strategies.trial import Trial
+from divbandit._core import Trial
 
 if TYPE_CHECKING:
     import os

@@ -5,13 +5,13 @@
 `Composite`.
 """
 
+from divbandit._core import Trial
 from divbandit.strategies.base import Starter, Strategy
 from divbandit.strategies.composite import Composite
 from divbandit.strategies.goal_babbling import GoalBabbling
 from divbandit.strategies.mixture import Mixture
 from divbandit.strategies.motor_babbling import MotorBabbling
 from divbandit.strategies.schedule import Schedule
-from divbandit.strategies.trial import Trial
 
 __all__ = [
     "Composite",

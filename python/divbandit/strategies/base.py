@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from divbandit._value import Value
-from divbandit.strategies.trial import Trial
+from divbandit._core import Trial
 
 if TYPE_CHECKING:
     import numpy as np

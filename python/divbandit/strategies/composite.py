@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from divbandit._checks import whole
 from divbandit.strategies.base import Starter, Strategy, StrategyValue
-from divbandit.strategies.trial import Trial
+from divbandit._core import Trial
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

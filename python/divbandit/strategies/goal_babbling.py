@@ -10,7 +10,7 @@ from divbandit.box import Box, BoxLike
 from divbandit.goals import GoalSampler, UniformGoals
 from divbandit.inverse import InverseModel, Nearest
 from divbandit.strategies.base import Starter, Strategy, StrategyValue
-from divbandit.strategies.trial import Trial
+from divbandit._core import Trial
 
 if TYPE_CHECKING:
     from numpy.random import Generator

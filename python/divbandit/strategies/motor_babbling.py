@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit.strategies.base import Starter, StrategyValue
-from divbandit.strategies.trial import Trial
+from divbandit._core import Trial
 
 if TYPE_CHECKING:
     from numpy.random import Generator

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use divbandit_core::{Environment, Error, Exploration, History, Proposal};
-use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -15,16 +14,13 @@ use crate::environments::{BlackBox, environment_of};
 use crate::errors::value_error;
 use crate::history::PyHistory;
 use crate::random::{Draws, NumpyStream};
+use crate::trial::PyTrial;
 
 /// How long the engine runs before it lets Python look for Ctrl-C: seldom enough to cost nothing.
 const AT_ONCE: Duration = Duration::from_millis(50);
 
 /// Steps between two looks at the clock.
 const STEPS: usize = 64;
-
-/// A command, its goal if it has one, and the path of who proposed it.
-type Proposed<'py> =
-    (Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<f64>>>, Bound<'py, PyTuple>);
 
 /// A composition of the library's own strategies, which explores with a history.
 ///
@@ -43,9 +39,9 @@ type Proposed<'py> =
 /// >>> from divbandit._core import Bounds, Engine, History
 /// >>> history = History(Bounds([-1], [1]), None)
 /// >>> engine = Engine(db.Mixture([db.MotorBabbling()]), history)
-/// >>> command, goal, path = engine.ask(history, np.random.default_rng(0))
-/// >>> goal, path, engine.asked
-/// (None, (0,), 1)
+/// >>> trial = engine.ask(history, np.random.default_rng(0))
+/// >>> trial.goal, trial.path, trial.number, engine.asked
+/// (None, (0,), 0, 1)
 /// >>> engine.tell(0, history, [1.0, 2.0])
 /// >>> len(history)
 /// 1
@@ -97,12 +93,12 @@ impl PyEngine {
         self.exploration.estimates().map(|means| PyTuple::new(py, means)).transpose()
     }
 
-    /// Let the strategy propose; returns a command, its goal, and the path of who proposed it.
-    fn ask<'py>(
+    /// Let the strategy propose a trial.
+    fn ask(
         &mut self,
-        mut history: PyRefMut<'py, PyHistory>,
-        rng: &Bound<'py, PyAny>,
-    ) -> PyResult<Proposed<'py>> {
+        mut history: PyRefMut<'_, PyHistory>,
+        rng: &Bound<'_, PyAny>,
+    ) -> PyResult<PyTrial> {
         let mut stream = NumpyStream::lock(rng)?;
         self.exploration
             .propose(&mut history.0, &mut stream, &mut self.spare)
@@ -113,11 +109,13 @@ impl PyEngine {
         self.proposed(rng.py(), self.asked - 1)
     }
 
-    /// Return what was proposed for a trial that is under way.
-    fn proposed<'py>(&self, py: Python<'py>, number: usize) -> PyResult<Proposed<'py>> {
+    /// Return a trial that is under way.
+    fn proposed(&self, py: Python<'_>, number: usize) -> PyResult<PyTrial> {
         let proposal = self.open.get(&number).ok_or_else(unknown)?;
         let goal = proposal.goal().map(|goal| read_only(py, goal)).transpose()?;
-        Ok((read_only(py, proposal.command())?, goal, PyTuple::new(py, proposal.path())?))
+        let command = read_only(py, proposal.command())?;
+        let path = PyTuple::new(py, proposal.path())?;
+        Ok(PyTrial::numbered(command, goal, path, number))
     }
 
     /// Record the effect of a trial, and let the strategy learn from it.
@@ -170,9 +168,7 @@ impl PyEngine {
                 // Locked for each step alone: the environment may draw from the same generator.
                 let mut stream = NumpyStream::lock(rng)?;
                 let log = &mut history.borrow_mut().0;
-                self.exploration
-                    .propose(log, &mut stream, &mut self.spare)
-                    .map_err(value_error)?;
+                self.exploration.propose(log, &mut stream, &mut self.spare).map_err(value_error)?;
             }
             let number = self.asked;
             self.asked += 1;

@@ -70,7 +70,11 @@ impl<'py> BlackBox<'py> {
     }
 
     /// Reads an effect as a finite point of `dim` coordinates, or of any number of them.
-    pub fn read(value: &Bound<'_, PyAny>, dim: Option<usize>, effect: &mut Vec<f64>) -> PyResult<()> {
+    pub fn read(
+        value: &Bound<'_, PyAny>,
+        dim: Option<usize>,
+        effect: &mut Vec<f64>,
+    ) -> PyResult<()> {
         effect.clear();
         if let Ok(list) = value.cast_exact::<PyList>() {
             for number in list {
@@ -79,7 +83,9 @@ impl<'py> BlackBox<'py> {
                     _ => break,
                 }
             }
-            if !effect.is_empty() && effect.len() == list.len() && dim.is_none_or(|s| s == list.len())
+            if !effect.is_empty()
+                && effect.len() == list.len()
+                && dim.is_none_or(|s| s == list.len())
             {
                 return Ok(());
             }

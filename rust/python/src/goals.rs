@@ -41,9 +41,7 @@ pub(crate) fn goals_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn GoalS
 }
 
 /// A sampler, or what its settings are refused for.
-fn ready(
-    sampler: Result<impl GoalSampler + 'static, Error>,
-) -> PyResult<Box<dyn GoalSampler>> {
+fn ready(sampler: Result<impl GoalSampler + 'static, Error>) -> PyResult<Box<dyn GoalSampler>> {
     Ok(Box::new(sampler.map_err(value_error)?))
 }
 
@@ -113,15 +111,15 @@ impl PyGoalSampler {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let mut log = log_of(history)?;
         let mut stream = NumpyStream::lock(rng)?;
-        self.sampler.sample(&mut log.0, &mut stream, &mut self.goal).map_err(|error| {
-            match error {
+        self.sampler.sample(&mut log.0, &mut stream, &mut self.goal).map_err(
+            |error| match error {
                 Error::Empty { name: "goals" } => PyValueError::new_err(format!(
                     "goals must be given a box ({}(box=...)): there is no sensory space",
                     self.class
                 )),
                 other => value_error(other),
-            }
-        })?;
+            },
+        )?;
         read_only(rng.py(), &self.goal)
     }
 }

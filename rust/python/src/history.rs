@@ -3,7 +3,7 @@
 use divbandit_core::History;
 use divbandit_core::error::check_finite;
 use divbandit_core::history::Log;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -18,8 +18,7 @@ use crate::kdtree::found;
 type Rows<'py, T> = Bound<'py, PyArray2<T>>;
 
 /// Commands (if kept), effects, paths and, of a bandit, estimates: an array each.
-type Arrays<'py> =
-    (Option<Rows<'py, f64>>, Rows<'py, f64>, Rows<'py, i64>, Option<Rows<'py, f64>>);
+type Arrays<'py> = (Option<Rows<'py, f64>>, Rows<'py, f64>, Rows<'py, i64>, Option<Rows<'py, f64>>);
 
 /// The log of an exploration, and the k-d tree of its effects.
 ///
@@ -160,7 +159,8 @@ impl PyHistory {
     fn take<'py>(&mut self, py: Python<'py>, keep_commands: bool) -> PyResult<Arrays<'py>> {
         let (space, goals) = (self.0.motor_space().clone(), self.0.sensory_space().cloned());
         let width = self.0.estimates().1;
-        let empty = History::new(space, goals, self.0.keeps_commands(), width).map_err(value_error)?;
+        let empty =
+            History::new(space, goals, self.0.keeps_commands(), width).map_err(value_error)?;
         let full = std::mem::replace(&mut self.0, empty);
         let log = py.detach(|| full.into_log()).map_err(value_error)?;
         self.as_arrays(py, log, keep_commands)
@@ -180,9 +180,12 @@ impl PyHistory {
         keep_commands: bool,
     ) -> PyResult<Arrays<'py>> {
         let (m, width) = (self.0.motor_space().dim(), self.0.estimates().1);
-        let n = log.commands.len().checked_div(m).unwrap_or(0).max(
-            log.paths.len().checked_div(log.depth).unwrap_or(0),
-        );
+        let n = log
+            .commands
+            .len()
+            .checked_div(m)
+            .unwrap_or(0)
+            .max(log.paths.len().checked_div(log.depth).unwrap_or(0));
         let n = n.max(self.0.effect_dim().map_or(0, |s| log.effects.len() / s));
         let s = log.effects.len().checked_div(n).unwrap_or(self.0.effect_dim().unwrap_or(0));
         let array = |numbers: Vec<f64>, width: usize| numbers.into_pyarray(py).reshape([n, width]);

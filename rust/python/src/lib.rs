@@ -27,6 +27,7 @@ mod policies;
 mod push_arm;
 mod random;
 mod rewards;
+mod trial;
 
 use pyo3::prelude::*;
 
@@ -48,6 +49,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<obstructed_arm::PyObstructedArm>()?;
     module.add_class::<push_arm::PyPushArm>()?;
     module.add_class::<rewards::PyReward>()?;
+    module.add_class::<trial::PyTrial>()?;
     module.add("NotBuiltInError", module.py().get_type::<composition::NotBuiltInError>())?;
     module.add_class::<estimators::PyEstimator>()?;
     module.add_class::<measures::PyMeasure>()?;

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from divbandit.history import History
-    from divbandit.strategies.trial import Trial
+    from divbandit._core import Trial
 
 
 @dataclass(frozen=True, init=False, repr=False)

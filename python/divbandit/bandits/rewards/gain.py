@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from divbandit.bandits.rewards.protocol import RunningReward
     from divbandit.history import History
     from divbandit.measures import Measure, RunningMeasure
-    from divbandit.strategies.trial import Trial
+    from divbandit._core import Trial
 
 
 @dataclass(frozen=True, init=False, repr=False)

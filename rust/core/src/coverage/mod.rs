@@ -126,11 +126,6 @@ impl Coverage {
         Ok(coverage)
     }
 
-    /// Whether it measures as `other` does, whatever effects they hold.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        (self.tau, self.dim, self.sampling) == (other.tau, other.dim, other.sampling)
-    }
-
     /// The union that it began with.
     pub(crate) fn empty_union(&self) -> Union {
         Union::new(self.tau, self.dim, self.sampling)

@@ -111,8 +111,16 @@ impl Exploration {
             });
         }
         let (proposal, effect) = (Proposal::new(history.motor_space().dim()), Vec::new());
-        let mut new =
-            Self { parts, root, rewarded, rewards, needs_commands, has_begun: false, proposal, effect };
+        let mut new = Self {
+            parts,
+            root,
+            rewarded,
+            rewards,
+            needs_commands,
+            has_begun: false,
+            proposal,
+            effect,
+        };
         if history.effect_dim().is_some() {
             new.begin(history)?;
         }

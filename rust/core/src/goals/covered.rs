@@ -66,8 +66,7 @@ impl Covered {
 
     /// Whether a point of the box is within tau of an effect.
     pub fn covers(&self, goal: &[f64], effects: &NearestNeighbors) -> Result<bool, Error> {
-        Ok(self.is_marked(goal)
-            || effects.nearest_or_within(goal, self.squared)?.0 <= self.squared)
+        Ok(self.is_marked(goal) || effects.nearest_or_within(goal, self.squared)?.0 <= self.squared)
     }
 
     /// The squared distance and the index of the effect nearest to a point of the box; or, where

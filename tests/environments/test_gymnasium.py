@@ -333,6 +333,29 @@ def test_an_executor_of_spawned_processes():
     assert sorted_rows(run) == sorted_rows(plain)
 
 
+def count_environments(episode):
+    del episode
+    return [Cart.made, os.getpid()]
+
+
+def test_each_process_makes_one_environment_for_all_commands():
+    environment = cart(effect=count_environments)
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as processes:
+        run = EXPLORE(environment, executor=processes, in_flight=2)
+    assert set(run.effects[:, 0]) == {1.0}
+    assert os.getpid() not in run.effects[:, 1]
+
+
+def test_the_last_few_that_were_unpickled_are_kept():
+    pickles = [pickle.dumps(cart(seed=seed)) for seed in range(20)]
+    first = [pickle.loads(each) for each in pickles]  # noqa: S301
+    again = [pickle.loads(each) for each in pickles[::-1]][::-1]  # noqa: S301
+    assert first == again == [cart(seed=seed) for seed in range(20)]
+    assert [one is other for one, other in zip(first, again, strict=True)] == [False] * 12 + [
+        True
+    ] * 8
+
+
 def python(script):
     """Return what a script prints in a process of its own, with warnings as errors."""
     command = [sys.executable, "-W", "error", "-c", script]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from threading import Lock
 from typing import TYPE_CHECKING, Any
+from uuid import uuid4
 
 from divbandit._checks import whole
 from divbandit._core import as_point
@@ -39,7 +41,8 @@ class GymnasiumEnvironment(Value):
     as far as the simulation is deterministic. Nothing is rendered.
 
     Gymnasium's environments are created on demand, one for each thread that runs an episode, and
-    reused. They are not part of copies and pickles: each process creates its own.
+    reused. They are not part of copies and pickles: each process creates its own, once for all the
+    commands that an executor sends there.
 
     Parameters
     ----------
@@ -108,6 +111,7 @@ class GymnasiumEnvironment(Value):
     if TYPE_CHECKING:
         motor_space: Box
         _envs: Pool[Env[Any, Any]]
+        _key: str
 
     def __init__(
         self,
@@ -142,6 +146,7 @@ class GymnasiumEnvironment(Value):
             sensory_space=box_or_none("sensory_space", sensory_space),
             motor_space=Box.of(controller.motor_space, name="controller.motor_space"),
             _envs=Pool(self._new_env),
+            _key=uuid4().hex,
         )
 
     def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
@@ -256,3 +261,25 @@ class GymnasiumEnvironment(Value):
         from divbandit.environments._rollout import made  # noqa: PLC0415 - needs Gymnasium
 
         return made(self.make)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _arrived, (self._key, *super().__reduce__())
+
+
+#: The last environments that were unpickled in this process, by the keys of the originals.
+_ARRIVED: dict[str, GymnasiumEnvironment] = {}
+_LOCK = Lock()
+#: How many of them are kept.
+_MOST_ARRIVED = 8
+
+
+def _arrived(
+    key: str, make: Callable[..., GymnasiumEnvironment], arguments: tuple[Any, ...]
+) -> GymnasiumEnvironment:
+    """Return the environment of a key: an executor sends it again with each command."""
+    with _LOCK:
+        environment = _ARRIVED.pop(key, None) or make(*arguments)
+        _ARRIVED[key] = environment
+        while len(_ARRIVED) > _MOST_ARRIVED:
+            del _ARRIVED[next(iter(_ARRIVED))]
+    return environment

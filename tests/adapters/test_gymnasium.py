@@ -21,7 +21,9 @@ UNBOUNDED = db.FunctionEnvironment(lambda x: [x[0], x[0] * x[1], 1.0], db.Box([-
     [
         lambda: OneStepEnv(db.PlanarArm(20), normalize=True),
         lambda: OneStepEnv(db.PlanarArm(3, limit=1.0)),
-        lambda: OneStepEnv(db.PushArm(5), reward=lambda _, ball: -abs(ball[0]), normalize=True),
+        lambda: OneStepEnv(
+            db.environments.PushArm(5), reward=lambda _, ball: -abs(ball[0]), normalize=True
+        ),
         lambda: OneStepEnv(UNBOUNDED, observation_space=db.Box([-9] * 3, [9] * 3), normalize=True),
         lambda: (
             gymnasium.make(
@@ -119,7 +121,7 @@ def test_the_first_observation_is_in_the_middle_or_as_near_to_0_as_may_be():
     assert env.step([0.25])[0].tolist() == [0.25, 2.5, -4.0, 4.5]
 
 
-def test_what_was_observed_is_nobody_else_s():
+def test_what_was_observed_does_not_change_with_the_array_of_the_black_box():
     kept = np.zeros(1)
 
     class Keeps:

@@ -30,7 +30,7 @@ print(hashlib.sha256(run.commands.tobytes() + run.effects.tobytes()).hexdigest()
 
 
 def python(script, **environment):
-    """Return what a script prints in a process of its own, with warnings as errors."""
+    """Return what a script prints in another process, with warnings as errors."""
     command = [sys.executable, "-W", "error", "-c", script]
     done = subprocess.run(  # noqa: S603
         command, capture_output=True, text=True, check=True, env={**os.environ, **environment}
@@ -44,7 +44,7 @@ def python(script, **environment):
     [
         ("ribs", "RibsEmitter()"),
         ("optuna", "OptunaSampler()"),
-        ("mabwiser", "MabwiserRule(None)"),
+        ("mabwiser", "MabwiserPolicy(None)"),
     ],
 )
 def test_says_what_to_install(name, call):
@@ -55,8 +55,10 @@ def test_says_what_to_install(name, call):
 
 def test_imports_no_library_before_it_is_used():
     script = (
-        "import sys, divbandit.adapters\n"
-        "others = {'ribs', 'optuna', 'mabwiser', 'numba', 'distributed', 'gymnasium', 'mujoco'}\n"
+        "import sys, divbandit.adapters, divbandit.plot\n"
+        "divbandit.adapters.QuasiRandomBabbling()\n"
+        "others = {'ribs', 'optuna', 'mabwiser', 'numba', 'distributed', 'gymnasium', 'mujoco',\n"
+        "          'scipy', 'matplotlib'}\n"
         "print(sorted(others & set(sys.modules)))"
     )
     assert python(script) == "[]\n"

@@ -1,21 +1,18 @@
-"""MabwiserRule chooses what MABWiser itself would choose."""
-
-import copy
-import pickle
+"""MabwiserPolicy chooses what MABWiser itself would choose."""
 
 import numpy as np
 import pytest
 from mabwiser.mab import MAB, LearningPolicy, NeighborhoodPolicy
 
 import divbandit as db
-from divbandit.adapters import MabwiserRule
-from divbandit.bandits import CoverageGain, WholePast
+from divbandit.adapters import MabwiserPolicy
+from divbandit.bandits import WholePast
 
 MEANS = (0.2, 0.8, 0.5)
 
 
-def is_success(arm, credit):
-    return credit > 0.5 + 0 * arm
+def is_success(arm, share):
+    return share > 0.5 + 0 * arm
 
 
 POLICIES = [
@@ -33,15 +30,14 @@ def policy(request):
     return request.param
 
 
-def play(rule, rng, n=100, largest=4.0):
-    """Let the rule choose; credits are drawn around each part's mean."""
-    rule.begin(3, largest)
+def play(policy, rng, n=100, largest=4.0):
+    """Let the policy choose; rewards are drawn around each part's mean."""
+    running = MabwiserPolicy(policy).start(3, largest)
     draws, chosen = np.random.default_rng(9), []
     for _ in range(n):
-        part = rule.choose(None, rng)
-        rule.learn(
-            part, largest * min(1.0, max(0.0, MEANS[part] + draws.random() / 2 - 0.25)), None
-        )
+        part = running.choose(None, rng)
+        share = min(1.0, max(0.0, MEANS[part] + draws.random() / 2 - 0.25))
+        running.learn(part, largest * share, None)
         chosen.append(part)
     return chosen
 
@@ -51,78 +47,68 @@ def test_equals_a_loop_of_mabwiser(policy):
     bandit, draws, expected = MAB([0, 1, 2], policy, seed=seed), np.random.default_rng(9), []
     for step in range(100):
         part = step if step < 3 else bandit.predict()
-        credit = min(1.0, max(0.0, MEANS[part] + draws.random() / 2 - 0.25))
-        bandit.partial_fit([part], [credit])
+        share = min(1.0, max(0.0, MEANS[part] + draws.random() / 2 - 0.25))
+        bandit.partial_fit([part], [share])
         expected.append(part)
-    assert play(MabwiserRule(policy), np.random.default_rng(7)) == expected
+    assert play(policy, np.random.default_rng(7)) == expected
 
 
 @pytest.mark.parametrize("policy", POLICIES[:4], ids=lambda policy: type(policy).__name__)
 def test_finds_the_best(policy):
-    chosen = play(MabwiserRule(policy), np.random.default_rng(0), n=400)
+    chosen = play(policy, np.random.default_rng(0), n=400)
     assert np.bincount(chosen[200:], minlength=3).argmax() == 1
 
 
-def test_begins_anew(policy):
-    rule = MabwiserRule(policy)
-    first = play(rule, np.random.default_rng(1))
-    assert play(rule, np.random.default_rng(1)) == first
-    assert play(MabwiserRule(policy), np.random.default_rng(1)) == first
+def test_each_exploration_starts_another(policy):
+    value = MabwiserPolicy(policy)
+    first, second = value.start(3, 1.0), value.start(3, 1.0)
+    rng = np.random.default_rng(1)
+    for part in range(3):
+        first.learn(first.choose(None, rng), float(part), None)
+    assert second.choose(None, rng) == 0
 
 
-@pytest.mark.parametrize("way", [copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))])  # noqa: S301
-def test_a_copy_goes_on_alike(policy, way):
-    rule, rng = MabwiserRule(policy), np.random.default_rng(2)
-    play(rule, rng, n=20)
-    other, stream = way((rule, rng))
-    chosen = [[], []]
-    for each, draws, log in [(rule, rng, chosen[0]), (other, stream, chosen[1])]:
-        for step in range(30):
-            log.append(each.choose(None, draws))
-            each.learn(log[-1], float(step % 3), None)
-    assert chosen[0] == chosen[1]
-
-
-def test_every_part_is_chosen_before_any_credit_is_known():
-    rule, rng = MabwiserRule(LearningPolicy.UCB1()), np.random.default_rng(0)
-    rule.begin(3, 1.0)
-    chosen = [rule.choose(None, rng) for _ in range(60)]
+def test_every_part_is_chosen_before_any_reward_is_known():
+    running, rng = MabwiserPolicy(LearningPolicy.UCB1()).start(3, 1.0), np.random.default_rng(0)
+    chosen = [running.choose(None, rng) for _ in range(60)]
     assert chosen[:3] == [0, 1, 2]
     assert set(chosen[3:]) == {0, 1, 2}
 
 
 @pytest.mark.parametrize(
-    ("credits_", "best"), [((3.0, 20.0), 1), ((-3.0, 20.0), 1), ((2.0, 0.0), 0)]
+    ("rewards", "best"), [((3.0, 20.0), 1), ((-3.0, 20.0), 1), ((2.0, 0.0), 0)]
 )
-def test_credits_without_a_bound_are_shares_of_the_largest_so_far(credits_, best):
+def test_rewards_without_a_bound_are_shares_of_the_largest_so_far(rewards, best):
     """A success is what comes to more than half of the largest so far."""
-    told = []
+    learned = []
 
     def is_large(arm, share):
-        told.append((arm, share))
+        learned.append((arm, share))
         return share > 0.5
 
-    rule, rng = MabwiserRule(LearningPolicy.ThompsonSampling(is_large)), np.random.default_rng(0)
-    rule.begin(2, 0.0)
-    for credit in credits_:
-        rule.learn(rule.choose(None, rng), credit, None)
-    assert told[best] == (best, 1.0)
-    assert all(0.0 <= share <= 1.0 for _, share in told)
+    rng = np.random.default_rng(0)
+    running = MabwiserPolicy(LearningPolicy.ThompsonSampling(is_large)).start(2, 0.0)
+    for reward in rewards:
+        running.learn(running.choose(None, rng), reward, None)
+    assert learned[best] == (best, 1.0)
+    assert all(0.0 <= share <= 1.0 for _, share in learned)
 
 
-def test_begun_again_before_it_has_learned():
-    """As a bandit does when the first effect tells how large credits can be."""
-    rule, rng = MabwiserRule(LearningPolicy.UCB1()), np.random.default_rng(0)
-    rule.begin(2, 1.0)
-    part = rule.choose(None, rng)
-    rule.begin(2, 4.0)
-    rule.learn(part, 2.0, None)
-    assert [rule.choose(None, rng) for _ in range(2)] == [0, 1]
+def test_learns_before_it_chooses(policy):
+    """As in a bandit that starts its policy again when the first effect tells its dimension."""
+    chosen = []
+    for early in (True, False):
+        running, rng = MabwiserPolicy(policy).start(2, 4.0), np.random.default_rng(0)
+        first = None if early else running.choose(None, rng)
+        running.learn(0, 2.0, None)
+        chosen.append([running.choose(None, rng) if first is None else first])
+        chosen[-1] += [running.choose(None, rng) for _ in range(20)]
+    assert chosen[0] == chosen[1]
 
 
 @pytest.mark.parametrize("dim", [2, 3])
 def test_in_a_bandit(policy, dim):
-    """With an effect of another dimension than 2, begun again with the first one."""
+    """With effects of another dimension than 2, the policy is started again by the first."""
     arm = db.PlanarArm(4)
     box = db.FunctionEnvironment(lambda x: [*arm(x), 0.0][:dim], arm.motor_space)
     goals = db.Box([-1] * dim, [1] * dim)
@@ -131,9 +117,7 @@ def test_in_a_bandit(policy, dim):
         db.GoalBabbling(0.01, goals=goals),
         db.GoalBabbling(1, goals=goals),
     ]
-    bandit = db.Bandit(
-        parts, credit=CoverageGain(0.05), memory=WholePast(), rule=MabwiserRule(policy)
-    )
+    bandit = db.Bandit(parts, tau=0.05, estimator=WholePast(), policy=MabwiserPolicy(policy))
     runs = [db.explore(box, bandit, n=120, rng=0) for _ in range(2)]
     assert runs[0].commands.tobytes() == runs[1].commands.tobytes()
     assert set(runs[0].choices) == {0, 1, 2}
@@ -143,9 +127,9 @@ def test_many_under_way_and_failures():
     arm = db.PlanarArm(4)
     bandit = db.Bandit(
         [db.MotorBabbling(), db.GoalBabbling()],
-        credit=CoverageGain(0.05),
-        memory=WholePast(),
-        rule=MabwiserRule(LearningPolicy.UCB1()),
+        tau=0.05,
+        estimator=WholePast(),
+        policy=MabwiserPolicy(LearningPolicy.UCB1()),
     )
     explorer = db.Explorer(bandit, arm.motor_space, arm.sensory_space, rng=0)
     for _ in range(20):
@@ -169,13 +153,13 @@ def test_many_under_way_and_failures():
 )
 def test_refuses(policy, error, words):
     with pytest.raises(error, match=words):
-        MabwiserRule(policy)
+        MabwiserPolicy(policy)
 
 
-def test_learns_of_its_own_choices_alone():
-    with pytest.raises(ValueError, match="part must have been chosen"):
-        MabwiserRule(LearningPolicy.Random()).learn(0, 1.0, None)
-
-
-def test_reads_like_its_constructor():
-    assert repr(MabwiserRule(LearningPolicy.UCB1(2.0))) == "MabwiserRule(UCB1(alpha=2.0))"
+def test_is_a_value():
+    """Though policies of MABWiser are tuples, which compare equal across kinds."""
+    greedy, softmax = LearningPolicy.EpsilonGreedy(0.1), LearningPolicy.Softmax(0.1)
+    assert MabwiserPolicy(greedy) == MabwiserPolicy(LearningPolicy.EpsilonGreedy(0.1))
+    assert MabwiserPolicy(greedy) != MabwiserPolicy(softmax)
+    assert len({MabwiserPolicy(greedy), MabwiserPolicy(softmax), MabwiserPolicy(greedy)}) == 2
+    assert repr(MabwiserPolicy(LearningPolicy.UCB1(2.0))) == "MabwiserPolicy(UCB1(alpha=2.0))"

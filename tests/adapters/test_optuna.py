@@ -11,10 +11,12 @@ from optuna.trial import TrialState
 
 import divbandit as db
 from divbandit.adapters import OptunaSampler
-from divbandit.bandits import CoverageGain
+from divbandit.bandits import FunctionReward, Gain
+from divbandit.strategies.base import Starter
 
 ARM = db.PlanarArm(3)
 TPE = partial(optuna.samplers.TPESampler, n_startup_trials=5)
+GAIN = Gain(db.measures.BallCoverage(0.1))
 
 
 @pytest.fixture
@@ -38,32 +40,32 @@ def test_equals_a_loop_of_optuna(sampler):
         trial = study.ask(ranges)
         commands.append([trial.params[name] for name in ranges])
         study.tell(trial, cover.add(ARM(commands[-1])))
-    run = db.explore(ARM, OptunaSampler(sampler, credit=CoverageGain(0.1)), n=60, rng=7)
+    run = db.explore(ARM, OptunaSampler(sampler, reward=GAIN), n=60, rng=7)
     assert run.commands.tolist() == commands
 
 
 def test_optimises_what_it_is_given():
     """It finds the arm's end to the right, which gains alone would not hold it at."""
-    right = OptunaSampler(TPE, credit=lambda effect, _: float(effect[0]))
+    right = OptunaSampler(TPE, reward=lambda effect, _: float(effect[0]))
     run = db.explore(ARM, right, n=120, rng=0)
     assert run.effects[-40:, 0].mean() > 0.75
 
 
-def test_the_credit_sees_its_effect_as_the_newest():
+def test_the_reward_sees_its_effect_as_the_newest():
     seen = []
 
-    def credit(effect, history):
+    def reward(effect, history):
         seen.append((len(history), bool((history.effects[-1] == effect).all())))
         return 0.0
 
-    explorer = db.Explorer(OptunaSampler(credit=credit), ARM.motor_space, rng=0)
+    explorer = db.Explorer(OptunaSampler(reward=reward), ARM.motor_space, rng=0)
     trials = explorer.ask(4)
-    explorer.tell(trials, ARM(trials.commands))
+    explorer.tell(trials, [ARM(trial.command) for trial in trials])
     assert seen == [(1, True), (2, True), (3, True), (4, True)]
 
 
 def test_gains_count_what_others_covered():
-    mixture = db.Mixture([OptunaSampler(TPE, credit=CoverageGain(0.1)), db.MotorBabbling()])
+    mixture = db.Mixture([OptunaSampler(TPE, reward=GAIN), db.MotorBabbling()])
     explorer = db.Explorer(mixture, ARM.motor_space, rng=0)
     for _ in range(60):
         trial = explorer.ask()
@@ -107,29 +109,54 @@ def test_says_nothing_and_leaves_the_loudness_alone():
     assert records == []
 
 
+def test_a_users_reward_is_copied_for_each_exploration():
+    class Counting:
+        rewarded = 0
+
+        def largest(self, dim):
+            return 0.0 * dim
+
+        def start(self, dim):
+            del dim
+            return self
+
+        def of(self, trial, effect, history):
+            self.rewarded += 1
+            assert self.rewarded == len(history)
+            assert trial.command
+            return float(effect[0])
+
+    reward = Counting()
+    for _ in range(2):
+        db.explore(ARM, OptunaSampler(reward=reward), n=5, rng=0)
+    assert reward.rewarded == 0
+
+
 def test_one_draw_and_no_more():
     rng, other = np.random.default_rng(5), np.random.default_rng(5)
-    strategy, history = OptunaSampler(), db.History(ARM.motor_space)
+    history = db.History(ARM.motor_space)
+    running = Starter(history)(OptunaSampler())
     for _ in range(10):
-        strategy.propose(history, rng)
+        running.propose(history, rng)
     other.random()
     assert rng.random() == other.random()
 
 
-def test_asked_about_another_history_it_begins_anew():
-    strategy, rng = OptunaSampler(), np.random.default_rng(3)
-    assert strategy.study is None
-    strategy.propose(db.History(ARM.motor_space), rng)
-    strategy.propose(db.History(ARM.motor_space), rng)
-    assert len(strategy.study.trials) == 1
+def test_each_exploration_has_its_study():
+    sampler = OptunaSampler()
+    explorers = [db.Explorer(sampler, ARM.motor_space, rng=3) for _ in range(2)]
+    assert explorers[0].strategy.study is None
+    commands = [explorer.ask().command.tolist() for explorer in explorers]
+    assert commands[0] == commands[1]
+    assert [len(explorer.strategy.study.trials) for explorer in explorers] == [1, 1]
 
 
 @pytest.mark.parametrize(
     ("arguments", "error", "words"),
     [
         ({"sampler": "tpe"}, TypeError, "sampler must be callable, got str"),
-        ({"credit": 3}, TypeError, "credit must be a Credit, such as CoverageGain.*, got int"),
-        ({"credit": CoverageGain}, TypeError, "credit must be .* got the class CoverageGain"),
+        ({"reward": 3}, TypeError, "reward must be a Reward, such as Compet.*, got int"),
+        ({"reward": Gain}, TypeError, "reward must be .* got the class Gain"),
     ],
 )
 def test_refuses(arguments, error, words):
@@ -138,24 +165,25 @@ def test_refuses(arguments, error, words):
 
 
 def test_refuses_what_it_cannot_measure():
-    with pytest.raises(ValueError, match="of a dimension that CoverageGain takes, got 40"):
+    with pytest.raises(ValueError, match="40"):
         db.Explorer(OptunaSampler(), db.Box([0], [1]), db.Box([0] * 40, [1] * 40))
-    bad = OptunaSampler(credit=lambda *_: float("nan"))
-    with pytest.raises(ValueError, match="credit must be a finite number"):
+    bad = OptunaSampler(reward=lambda *_: float("nan"))
+    with pytest.raises(ValueError, match="reward must be a finite number"):
         db.explore(ARM, bad, n=1, rng=0)
 
 
 def test_refuses_trials_of_others():
-    strategy = OptunaSampler()
+    strategy = Starter(db.History(ARM.motor_space))(OptunaSampler())
     with pytest.raises(ValueError, match="trial must be one that this strategy proposed"):
         strategy.observe(db.Trial([0.0] * 3), np.zeros(2))
     with pytest.raises(ValueError, match="trial must be one that this strategy proposed"):
         strategy.fail(db.Trial([0.0] * 3), "no power")
 
 
-def test_reads_like_its_constructor():
+def test_is_a_value():
+    assert OptunaSampler(TPE, reward=GAIN) == OptunaSampler(TPE, reward=GAIN) != OptunaSampler()
+    assert OptunaSampler(reward=max).reward == FunctionReward(max)
     assert repr(OptunaSampler()) == "OptunaSampler()"
-    assert repr(OptunaSampler(TPE, credit=CoverageGain(0.5))) == (
-        "OptunaSampler(partial(TPESampler, n_startup_trials=5), credit=CoverageGain(0.5))"
+    assert repr(OptunaSampler(TPE, reward=GAIN)) == (
+        "OptunaSampler(partial(TPESampler, n_startup_trials=5), reward=Gain(BallCoverage(0.1)))"
     )
-    assert repr(OptunaSampler(credit=max)) == "OptunaSampler(credit=max)"

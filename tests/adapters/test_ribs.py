@@ -9,6 +9,7 @@ from ribs.emitters import EmitterBase, EvolutionStrategyEmitter, GaussianEmitter
 
 import divbandit as db
 from divbandit.adapters import RibsEmitter
+from divbandit.strategies.base import Starter
 
 ARM = db.PlanarArm(4)
 #: Motor ranges of very different widths, one of them empty.
@@ -89,7 +90,7 @@ def test_equals_a_loop_of_pyribs(environment, objective):
         explorer.tell(trial, environment(trial.command))
     np.testing.assert_allclose(explorer.history.commands, expected, rtol=0, atol=1e-12)
     explorer.ask()  # brings the archive up to date
-    kept = explorer.strategy.running.archive
+    kept = explorer.strategy.emitter.archive
     assert len(kept) == len(archive) > 10
     assert kept.stats.qd_score == pytest.approx(archive.stats.qd_score)
 
@@ -108,22 +109,6 @@ def test_is_told_in_the_order_of_its_solutions_whatever_comes_first():
     np.testing.assert_allclose(measures, [ARM(command) for command in asked])
     assert told["status"][-1] == 2  # the first that came was new, the last of the batch
     assert set(told["status"]) <= {0, 1, 2}
-
-
-def test_trials_told_at_once_are_the_same_as_one_by_one():
-    bits = []
-    for at_once in (True, False):
-        explorer, _ = explorer_and_log()
-        for _ in range(20):
-            trials = explorer.ask(9)
-            effects = ARM(trials.commands)
-            if at_once:
-                explorer.tell(trials, effects)
-            else:
-                for trial, effect in zip(trials, effects, strict=True):
-                    explorer.tell(trial, effect)
-        bits.append(explorer.history.commands.tobytes())
-    assert bits[0] == bits[1]
 
 
 def test_a_failed_trial_stands_for_the_worst_of_its_batch():
@@ -193,7 +178,7 @@ def test_more_than_a_batch_under_way():
     np.testing.assert_allclose(space.low + log[0][0] * (space.high - space.low), commands[:6])
     whole = GridArchive(solution_dim=4, dims=[20, 20], ranges=[(-1, 1), (-1, 1)])
     whole.add(np.zeros((20, 4)), np.zeros(20), ARM(commands))
-    assert len(explorer.strategy.running.archive) == len(whole)
+    assert len(explorer.strategy.emitter.archive) == len(whole)
     later = np.array([explorer.ask().command for _ in range(5)])
     assert len(np.unique(np.vstack([commands, later]), axis=0)) == 25
 
@@ -247,8 +232,7 @@ def test_a_steady_number_under_way():
 
 
 def test_the_archive_holds_what_others_found():
-    explorer, _ = explorer_and_log(cells=10)
-    mixture = db.Mixture([explorer.strategy, db.MotorBabbling()])
+    mixture = db.Mixture([RibsEmitter("evolution", cells=10), db.MotorBabbling()])
     explorer = db.Explorer(mixture, ARM.motor_space, ARM.sensory_space, rng=1)
     for _ in range(100):
         trial = explorer.ask()
@@ -257,7 +241,7 @@ def test_the_archive_holds_what_others_found():
     emitter.propose(explorer.history, explorer.rng)
     whole = GridArchive(solution_dim=4, dims=[10, 10], ranges=[(-1, 1), (-1, 1)])
     whole.add(explorer.history.commands, np.zeros(100), explorer.history.effects)
-    kept = emitter.running.archive
+    kept = emitter.emitter.archive
     assert len(kept) == len(whole)
     space = ARM.motor_space
     commands = space.low + kept.data("solution") * (space.high - space.low)
@@ -311,24 +295,37 @@ def test_an_emitter_that_asks_for_nothing():
         db.explore(ARM, nothing, n=1, rng=0)
 
 
-def test_asked_about_another_history_it_begins_anew():
-    strategy, rng = RibsEmitter("evolution"), np.random.default_rng(3)
-    histories = [db.History(ARM.motor_space, ARM.sensory_space) for _ in range(2)]
-    old = strategy.propose(histories[0], rng)
-    first = strategy.running
-    strategy.propose(histories[1], rng)
-    assert strategy.running is not first
-    histories[1].append(old.command, [0.0, 0.0])
-    strategy.observe(old, np.zeros(2))  # of the first history: passed over
-    strategy.fail(old, "late")
-    strategy.propose(histories[1], rng)
+def test_each_exploration_has_its_emitter():
+    strategy = RibsEmitter("evolution")
+    one, other = (db.Explorer(strategy, ARM.motor_space, ARM.sensory_space, rng=3) for _ in "ab")
+    assert one.strategy.emitter is None
+    trials = [explorer.ask() for explorer in (one, other)]
+    assert trials[0].command.tolist() == trials[1].command.tolist()
+    assert one.strategy.emitter is not other.strategy.emitter
+    other.tell(trials[1], [0.0, 0.0])
+    other.ask()
+    assert (len(one.strategy.emitter.archive), len(other.strategy.emitter.archive)) == (0, 1)
+
+
+def test_trials_of_others_are_passed_over():
+    history = db.History(ARM.motor_space, ARM.sensory_space)
+    running, other = (Starter(history)(RibsEmitter("evolution")) for _ in "ab")
+    rng = np.random.default_rng(3)
+    trials = [each.propose(history, rng) for each in (running, other)]
+    history.append(trials[1].command, [0.0, 0.0])
+    running.observe(trials[1], np.zeros(2))
+    running.fail(trials[1], "late")
+    assert len(running.emitter.archive) == 0
+    running.propose(history, rng)
+    assert len(running.emitter.archive) == 1
 
 
 def test_two_draws_and_no_more():
     rng, other = np.random.default_rng(5), np.random.default_rng(5)
-    strategy, history = RibsEmitter(), db.History(ARM.motor_space, ARM.sensory_space)
+    history = db.History(ARM.motor_space, ARM.sensory_space)
+    running = Starter(history)(RibsEmitter())
     for _ in range(40):
-        strategy.propose(history, rng)
+        running.propose(history, rng)
     other.random(2)
     assert rng.random() == other.random()
 
@@ -363,10 +360,11 @@ def test_refuses_an_objective_that_is_no_number():
         db.explore(ARM, strategy, n=2, rng=0)
 
 
-def test_reads_like_its_constructor():
-    assert repr(RibsEmitter()) == "RibsEmitter('line', cells=20)"
+def test_is_a_value():
     box = db.Box([0], [1])
-    assert repr(RibsEmitter(len, box=box, objective=max)) == (
-        "RibsEmitter(len, box=Box([0.0], [1.0]), cells=20, objective=max)"
+    assert RibsEmitter(len, box=box) == RibsEmitter(len, box=box) != RibsEmitter(len)
+    assert repr(RibsEmitter()) == "RibsEmitter()"
+    assert repr(RibsEmitter(len, box=box, cells=7, objective=max)) == (
+        "RibsEmitter(len, box=Box([0.0], [1.0]), cells=7, objective=max)"
     )
-    assert repr(RibsEmitter(archive=len)) == "RibsEmitter('line', archive=len)"
+    assert repr(RibsEmitter(archive=len)) == "RibsEmitter(archive=len)"

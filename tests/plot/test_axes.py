@@ -10,7 +10,7 @@ from divbandit import plot
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
 RUN = db.explore(db.PlanarArm(5), ADAPT, 60, rng=0)
 POSTURES = [db.PlanarArm(5).posture(command) for command in RUN.commands[:3]]
-OBSTACLES = [db.Disc([0.5, 0.5], 0.1), db.Wall([-1, 0.8], [1, 0.8])]
+OBSTACLES = [db.environments.Disc([0.5, 0.5], 0.1), db.environments.Wall([-1, 0.8], [1, 0.8])]
 MIXTURES = [[0.0, 1.0, 0.1], [0.5, 2.0, 0.2], [1.0, 1.5, 0.1]]
 
 
@@ -29,7 +29,7 @@ CASES = {
     "spread": lambda ax: plot.spread(RUN, tau=0.02, unit="m", ax=ax),
     "scene": lambda ax: plot.scene(OBSTACLES, unit="m", ax=ax),
     "postures": lambda ax: plot.postures(POSTURES, unit="m", ax=ax),
-    "diversity": lambda ax: plot.diversity(RUN, labels=["a", "b"], unit="m²", ax=ax),
+    "estimates": lambda ax: plot.estimates(RUN, labels=["a", "b"], unit="m²", ax=ax),
     "usage": lambda ax: plot.usage(RUN, labels=["a", "b"], ax=ax),
     "mixtures": lambda ax: plot.mixtures(MIXTURES, adapt=(2.1, 0.1), unit="m²", ax=ax),
 }
@@ -70,10 +70,10 @@ def test_spread_without_a_radius_draws_no_discs():
     assert not plot.spread(RUN.effects).collections
 
 
-def test_diversity_draws_what_the_bandit_believed():
-    ax = plot.diversity(RUN)
+def test_estimates_draws_what_the_bandit_believed():
+    ax = plot.estimates(RUN)
     for index, line in enumerate(ax.lines):
-        np.testing.assert_array_equal(line.get_ydata(), RUN.diversities[:, index])
+        np.testing.assert_array_equal(line.get_ydata(), RUN.estimates[:, index])
 
 
 def test_usage_is_in_per_cent():
@@ -116,7 +116,7 @@ def test_mixtures_draws_means_and_the_bandits_band():
         (lambda: plot.postures(np.zeros(4)), "data"),
         (lambda: plot.postures(np.zeros((0, 3, 2))), "data"),
         (lambda: plot.postures(POSTURES, thickness=0.0), "thickness"),
-        (lambda: plot.diversity(RUN, labels=["one"]), "labels"),
+        (lambda: plot.estimates(RUN, labels=["one"]), "labels"),
         (lambda: plot.usage(RUN, labels=["one"]), "labels"),
         (lambda: plot.usage([-1, 0]), "data"),
         (lambda: plot.spread("abc"), "data"),

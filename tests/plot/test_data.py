@@ -1,10 +1,10 @@
-"""What the figures show: usage, effects and diversities as plain arrays."""
+"""What the figures show: usage, effects and estimates as plain arrays."""
 
 import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit.plot.data import diversities_of, effects_of, usage_of
+from divbandit.plot.data import estimates_of, effects_of, usage_of
 
 
 def plain_usage(choices, window, strategies):
@@ -59,9 +59,9 @@ def test_effects_must_be_in_the_plane():
         effects_of(np.zeros((5, 3)))
 
 
-def test_diversities_need_a_bandit():
+def test_estimates_need_a_bandit():
     run = db.explore(db.PlanarArm(3), db.MotorBabbling(), 5, rng=0)
     with pytest.raises(ValueError, match="data must be the exploration of a bandit"):
-        diversities_of(run)
+        estimates_of(run)
     with pytest.raises(ValueError, match="shape"):
-        diversities_of([1.0, 2.0])
+        estimates_of([1.0, 2.0])

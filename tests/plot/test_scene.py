@@ -10,18 +10,19 @@ from matplotlib import colors
 
 import divbandit as db
 from divbandit import plot
+from divbandit.environments import Disc, Polygon, Rectangle, Wall
 from divbandit.plot import style
 from divbandit.plot.data import capsule
 from tests.reference.contact import shape
 
 SOLID = [
-    db.Disc([0.3, 0.4], 0.2),
-    db.Rectangle([-0.5, 0.2], [-0.1, 0.9]),
-    db.Polygon([[0.5, -0.5], [0.9, -0.5], [0.9, -0.4], [0.6, -0.4], [0.6, -0.1]]),
-    db.Wall([-0.5, -0.3], [-0.2, -0.8], thickness=0.1),
-    db.Wall([-0.8, -0.3], [-0.8, -0.8], thickness=1e-6),
+    Disc([0.3, 0.4], 0.2),
+    Rectangle([-0.5, 0.2], [-0.1, 0.9]),
+    Polygon([[0.5, -0.5], [0.9, -0.5], [0.9, -0.4], [0.6, -0.4], [0.6, -0.1]]),
+    Wall([-0.5, -0.3], [-0.2, -0.8], thickness=0.1),
+    Wall([-0.8, -0.3], [-0.8, -0.8], thickness=1e-6),
 ]
-LINE = db.Wall([0.5, 0.2], [0.9, 0.6])
+LINE = Wall([0.5, 0.2], [0.9, 0.6])
 ARM = db.PlanarArm(4, thickness=0.02, obstacles=[*SOLID, LINE])
 
 

@@ -96,14 +96,13 @@ def test_rewards_without_a_bound_are_shares_of_the_largest_so_far(rewards, best)
 
 def test_learns_before_it_chooses(policy):
     """As in a bandit that starts its policy again when the first effect tells its dimension."""
-    chosen = []
-    for early in (True, False):
-        running, rng = MabwiserPolicy(policy).start(2, 4.0), np.random.default_rng(0)
-        first = None if early else running.choose(None, rng)
-        running.learn(0, 2.0, None)
-        chosen.append([running.choose(None, rng) if first is None else first])
-        chosen[-1] += [running.choose(None, rng) for _ in range(20)]
-    assert chosen[0] == chosen[1]
+    early, late = (MabwiserPolicy(policy).start(2, 4.0) for _ in "ab")
+    early.learn(0, 2.0, None)
+    one, other = (np.random.default_rng(0) for _ in "ab")
+    assert early.choose(None, one) == late.choose(None, other) == 0
+    late.learn(0, 2.0, None)
+    for _ in range(20):
+        assert early.choose(None, one) == late.choose(None, other)
 
 
 @pytest.mark.parametrize("dim", [2, 3])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit.plot.data import estimates_of, effects_of, usage_of
+from divbandit.plot.data import effects_of, estimates_of, usage_of
 
 
 def plain_usage(choices, window, strategies):

@@ -1,134 +1,126 @@
-"""Every public name says what it is, and every callable shows an example that runs."""
+"""Every public name is one of its kind, says what it is, and shows an example that runs."""
 
 import dataclasses
 import doctest
 import inspect
-from collections.abc import Sequence
+from collections import Counter
 
 import pytest
 
 import divbandit as db
 from divbandit import _core
 
-CORE = (
-    "Bounds",
-    "Coverage",
-    "Engine",
-    "Estimator",
-    "NearestNeighbors",
-    "Obstacle",
-    "ObstructedArm",
-    "PlanarArm",
-    "Policy",
-    "PushArm",
-    "as_point",
-    "babble",
-    "exp",
-    "frontier_goal",
-    "inverse",
-    "k_nearest",
-    "local_jacobian",
-    "local_regression",
-    "log",
-    "normal_quantile",
-    "novel_goal",
-    "power",
-    "powers",
-    "proportionally",
-    "uncovered_goal",
-    "untried_goal",
+#: The packages one dot away; `strategies` holds what is at the top, and the starter.
+KINDS = (
+    *(name for name in db.__all__ if inspect.ismodule(getattr(db, name))),
+    "strategies",
 )
 
 
-def members(name, item):
-    """Yield a class's public methods and properties, each with its qualified name."""
-    if inspect.isclass(item):
-        inherited = dir(tuple) if issubclass(item, tuple) else ()
-        for key in dir(item):
-            if not key.startswith("_") and key not in inherited:
-                yield f"{name}.{key}", inspect.getattr_static(item, key), getattr(item, key)
-
-
 def public():
-    """Return {qualified name: (as the class holds it, as it is reached)} of all public names."""
-    names = {}
-    for name in db.__all__:
-        item = getattr(db, name)
-        if inspect.ismodule(item):
-            continue  # its functions are found as doctests of its files
-        names[name] = (item, item)
-        names |= {key: (raw, reached) for key, raw, reached in members(name, item)}
-    return names
-
-
-def of_bandits():
-    """Yield the names of the package of bandits, each with what it is."""
-    for name in db.bandits.__all__:
-        item = getattr(db.bandits, name)
-        yield f"bandits.{name}", item
-        for key, _, reached in members(f"bandits.{name}", item):
-            if callable(reached):
-                yield key, reached
-
-
-def compiled():
-    for name in CORE:
-        item = getattr(_core, name)
-        yield f"_core.{name}", item
-        for key, _, reached in members(f"_core.{name}", item):
-            yield key, reached
+    """Return what is public, by its qualified name: at the top, and one dot away."""
+    top = {name: getattr(db, name) for name in db.__all__}
+    found = {name: item for name, item in top.items() if not inspect.ismodule(item)}
+    for kind in KINDS:
+        package = getattr(db, kind)
+        for name in package.__all__:
+            item = getattr(package, name)
+            if not any(item is other for other in top.values()):
+                found[f"{kind}.{name}"] = item
+    return found
 
 
 PUBLIC = public()
-DOCUMENTED = {
-    **{name: reached for name, (_, reached) in PUBLIC.items()},
-    **dict(of_bandits()),
-    **dict(compiled()),
+
+
+def members(item):
+    """Return the public methods and properties that a class defines or inherits, by name."""
+    if not inspect.isclass(item):
+        return {}
+    inherited = dir(tuple) if issubclass(item, tuple) else ()
+    names = (key for key in dir(item) if not key.startswith("_") and key not in inherited)
+    return {key: inspect.getattr_static(item, key) for key in names}
+
+
+def is_described(raw):
+    """Say whether it has a docstring of its own; fields are described in that of the class."""
+    return inspect.isroutine(raw) or isinstance(raw, (property, classmethod, staticmethod))
+
+
+MEMBERS = {
+    f"{name}.{key}": (item, key, raw)
+    for name, item in PUBLIC.items()
+    for key, raw in members(item).items()
+    if not getattr(item, "__module__", "").startswith("gymnasium")
 }
-
-
-def is_field(name):
-    """Say whether it is a plain attribute, described in the docstring of its class."""
-    raw, reached = PUBLIC[name]
-    owner, _, key = name.partition(".")
-    slot = inspect.ismemberdescriptor(raw) or key in getattr(getattr(db, owner), "_fields", ())
-    return slot or not (callable(reached) or hasattr(type(reached), "__get__"))
+FIELDS = {
+    f"{name}.{field.name}": (item, field.name)
+    for name, item in PUBLIC.items()
+    if inspect.isclass(item) and dataclasses.is_dataclass(item)
+    for field in dataclasses.fields(item)
+    if not field.name.startswith("_")
+}
 
 
 def examples_in(item):
     return doctest.DocTestParser().get_examples(inspect.getdoc(item) or "")
 
 
-def test_all_is_sorted_and_complete():
-    assert db.__all__ == sorted(db.__all__)
-    assert all(hasattr(db, name) for name in db.__all__)
-    assert not any(name.startswith("_") for name in db.__all__)
+def test_the_top_holds_the_names_of_a_first_afternoon():
+    assert len(set(db.__all__)) == len(db.__all__)
+    assert sum(not inspect.ismodule(getattr(db, name)) for name in db.__all__) <= 24
 
 
-def test_the_compiled_module_holds_what_the_tests_know_of():
-    assert {name for name in dir(_core) if not name.startswith("_")} == set(CORE)
+def test_the_first_screen_says_what_each_name_is_for():
+    text = inspect.getdoc(db)
+    assert [name for name in db.__all__ if f"`{name}`" not in text] == []
+    assert len(text.splitlines()) <= 50
 
 
-@pytest.mark.parametrize("name", [name for name in PUBLIC if not is_field(name)])
-def test_has_a_docstring(name):
-    assert inspect.getdoc(PUBLIC[name][1])
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_package_lists_what_it_holds(kind):
+    names = getattr(db, kind).__all__
+    assert names == sorted(names, key=lambda name: (not name.isupper(), name.lower() == name, name))
+    assert inspect.getdoc(getattr(db, kind))
 
 
-@pytest.mark.parametrize("name", [name for name in PUBLIC if is_field(name)])
+def test_no_name_stands_for_two_things():
+    """Nor does any differ from another by an s."""
+    names = [name.rpartition(".")[2] for name in PUBLIC]
+    assert [name for name, count in Counter(names).items() if count > 1] == []
+    names += KINDS
+    assert [name for name in names if f"{name}s" in names] == []
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_it_has_a_docstring_with_an_example(name):
+    assert examples_in(PUBLIC[name])
+
+
+@pytest.mark.parametrize("name", [name for name, (*_, raw) in MEMBERS.items() if is_described(raw)])
+def test_a_member_has_a_docstring(name):
+    owner, key, _ = MEMBERS[name]
+    assert inspect.getdoc(getattr(owner, key))
+
+
+@pytest.mark.parametrize("name", FIELDS)
 def test_a_field_is_described_in_its_class(name):
-    owner, field = name.split(".")
-    assert field in inspect.getdoc(getattr(db, owner))
+    owner, field = FIELDS[name]
+    assert field in inspect.getdoc(owner)
 
 
-@pytest.mark.parametrize("field", dataclasses.fields(db.Exploration), ids=lambda field: field.name)
-def test_a_field_of_an_exploration_is_described(field):
-    assert f"{field.name} : " in inspect.getdoc(db.Exploration)
+def compiled():
+    """Return what of the compiled module has examples, by name: no file of Python shows them."""
+    found = {}
+    for name in dir(_core):
+        item = getattr(_core, name)
+        found |= {name: item} | {f"{name}.{key}": getattr(item, key) for key in members(item)}
+    return {name: item for name, item in found.items() if examples_in(item)}
 
 
-@pytest.mark.parametrize("name", DOCUMENTED)
-def test_its_examples_run(name, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    text = inspect.getdoc(DOCUMENTED[name]) or ""
+@pytest.mark.parametrize("name", compiled())
+def test_compiled_examples_run(name):
+    text = inspect.getdoc(compiled()[name])
     test = doctest.DocTestParser().get_doctest(text, {}, name, None, None)
     report = []
     runner = doctest.DocTestRunner(verbose=False)
@@ -136,27 +128,13 @@ def test_its_examples_run(name, tmp_path, monkeypatch):
     assert runner.summarize(verbose=False).failed == 0, "".join(report)
 
 
-@pytest.mark.parametrize("name", dict(of_bandits()))
-def test_a_part_of_a_bandit_has_a_docstring(name):
-    assert inspect.getdoc(dict(of_bandits())[name])
-
-
-@pytest.mark.parametrize("name", db.bandits.__all__)
-def test_a_part_of_a_bandit_shows_an_example(name):
-    assert examples_in(getattr(db.bandits, name))
-
-
 def lacks_an_example(name):
-    """Say whether a callable has no example; one that overrides may leave it to its base."""
-    raw, reached = PUBLIC[name]
-    if isinstance(raw, property) or not callable(reached) or examples_in(reached):
+    """Say whether a method has no example; one that overrides may leave it to its base."""
+    owner, key, raw = MEMBERS[name]
+    if isinstance(raw, property) or not is_described(raw):
         return False
-    if getattr(reached, "__module__", None) == Sequence.__module__:  # what any sequence has
-        return False
-    owner, _, method = name.partition(".")
-    bases = getattr(db, owner).__mro__[1:] if method else ()
-    return not any(examples_in(getattr(base, method, None)) for base in bases)
+    return not any(examples_in(getattr(base, key, None)) for base in owner.__mro__)
 
 
-def test_every_public_callable_shows_an_example():
-    assert [name for name in PUBLIC if lacks_an_example(name)] == []
+def test_every_method_shows_an_example():
+    assert [name for name in MEMBERS if lacks_an_example(name)] == []

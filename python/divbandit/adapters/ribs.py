@@ -178,25 +178,27 @@ class RibsEmitter(StrategyValue):
         """Return the emitter under way."""
         return _Emitting(self, start.history)
 
-    def made(self, history: History, rng: Generator) -> EmitterBase:
-        """Make the emitter, with an empty archive: two ``rng.random()``."""
-        dim, seed = history.motor_space.dim, seed_from(rng)
-        archive = self._grid(history, seed) if self.archive is None else self.archive(dim, seed)
-        factory = self.emitter if callable(self.emitter) else EMITTERS[self.emitter]
-        return factory(archive, seed_from(rng))
 
-    def _grid(self, history: History, seed: int) -> ArchiveBase:
-        """Make a grid over the box."""
-        box = history.sensory_space if self.box is None else self.box
-        if box is None:
-            raise ValueError("box must be given to RibsEmitter: there is no sensory space")
-        archive: ArchiveBase = library("ribs.archives", user="RibsEmitter").GridArchive(
-            solution_dim=history.motor_space.dim,
-            dims=[self.cells] * box.dim,
-            ranges=list(zip(box.low.tolist(), box.high.tolist(), strict=True)),
-            seed=seed,
-        )
-        return archive
+def _emitter_of(recipe: RibsEmitter, history: History, rng: Generator) -> EmitterBase:
+    """Make an emitter with an empty archive: two ``rng.random()``."""
+    dim, seed = history.motor_space.dim, seed_from(rng)
+    archive = _grid(recipe, history, seed) if recipe.archive is None else recipe.archive(dim, seed)
+    factory = recipe.emitter if callable(recipe.emitter) else EMITTERS[recipe.emitter]
+    return factory(archive, seed_from(rng))
+
+
+def _grid(recipe: RibsEmitter, history: History, seed: int) -> ArchiveBase:
+    """Make a grid over the box, or the sensory space."""
+    box = history.sensory_space if recipe.box is None else recipe.box
+    if box is None:
+        raise ValueError("box must be given to RibsEmitter: there is no sensory space")
+    archive: ArchiveBase = library("ribs.archives", user="RibsEmitter").GridArchive(
+        solution_dim=history.motor_space.dim,
+        dims=[recipe.cells] * box.dim,
+        ranges=list(zip(box.low.tolist(), box.high.tolist(), strict=True)),
+        seed=seed,
+    )
+    return archive
 
 
 class _Emitting(Strategy):
@@ -216,7 +218,7 @@ class _Emitting(Strategy):
     def propose(self, history: History, rng: Generator) -> Trial:
         """Give out the next solution of the emitter's batch."""
         if self.emitter is None:
-            self.emitter = self._recipe.made(history, rng)
+            self.emitter = _emitter_of(self._recipe, history, rng)
             base = library("ribs.emitters", user="RibsEmitter").EmitterBase
             self._learns = type(self.emitter).tell is not base.tell
         self._catch_up(self.emitter, len(history))

@@ -5,6 +5,7 @@ Distances in these lines are those of `tests.reference.nearest`, which looks at 
 
 import copy
 import pickle
+from dataclasses import FrozenInstanceError, replace
 from itertools import product
 
 import numpy as np
@@ -15,8 +16,9 @@ from scipy import stats
 
 import divbandit as db
 from tests.generators import state
+from tests.reference import grid_goals
 from tests.reference.nearest import nearest
-from tests.strategies.known import SEEDS, histories
+from tests.known import SEEDS, histories
 
 TAUS = st.sampled_from([1e-9, 0.05, 0.3, 10.0])
 TRIES = st.integers(1, 8)
@@ -24,11 +26,12 @@ EXACT = settings(max_examples=150, deadline=None, derandomize=True)
 LEVEL = 1e-4
 
 SAMPLERS = {
-    "uniform": db.UniformGoals,
-    "grid": lambda **box: db.GridGoals(3, **box),
-    "uncovered": lambda **box: db.UncoveredGoals(0.1, **box),
-    "frontier": lambda **box: db.FrontierGoals(0.1, **box),
-    "novel": lambda **box: db.NovelGoals(3, **box),
+    "uniform": db.goals.UniformGoals,
+    "grid": lambda **box: db.goals.GridGoals(3, **box),
+    "uncovered": lambda **box: db.goals.UncoveredGoals(0.1, **box),
+    "frontier": lambda **box: db.goals.FrontierGoals(0.1, **box),
+    "novel": lambda **box: db.goals.NovelGoals(3, **box),
+    "untried": lambda **box: db.goals.UntriedGoals(0.1, **box),
 }
 every = pytest.mark.parametrize("sampler", SAMPLERS.values(), ids=SAMPLERS)
 
@@ -50,7 +53,7 @@ def same(goal, expected, rng, plain):
 @EXACT
 def test_uncovered_goals(history, tau, tries, seed):
     rng, plain = streams(seed)
-    goal = db.UncoveredGoals(tau, tries=tries).sample(history, rng)
+    goal = db.goals.UncoveredGoals(tau, tries=tries).sample(history, rng)
     for _ in range(tries):
         expected = history.sensory_space.sample(plain)
         if far(history, expected) > tau:
@@ -62,7 +65,7 @@ def test_uncovered_goals(history, tau, tries, seed):
 @EXACT
 def test_novel_goals(history, candidates, seed):
     rng, plain = streams(seed)
-    goal = db.NovelGoals(candidates).sample(history, rng)
+    goal = db.goals.NovelGoals(candidates).sample(history, rng)
     drawn = [history.sensory_space.sample(plain) for _ in range(candidates)]
     same(goal, max(drawn, key=lambda each: far(history, each)), rng, plain)
 
@@ -71,7 +74,7 @@ def test_novel_goals(history, candidates, seed):
 @EXACT
 def test_frontier_goals(history, tau, reach, tries, seed):
     rng, plain = streams(seed)
-    goal = db.FrontierGoals(tau, reach=reach, tries=tries).sample(history, rng)
+    goal = db.goals.FrontierGoals(tau, reach=reach, tries=tries).sample(history, rng)
     box = history.sensory_space
     for _ in range(tries):
         centre = history.effects[int(plain.random() * len(history))]
@@ -86,11 +89,37 @@ def test_frontier_goals(history, tau, reach, tries, seed):
     same(goal, expected, rng, plain)
 
 
+@given(histories(), st.integers(1, 4), st.booleans(), SEEDS)
+@EXACT
+def test_grid_goals(history, cells, each, seed):
+    rng, plain = streams(seed)
+    counts = [1 + (cells + j) % 4 for j in range(history.effect_dim)] if each else cells
+    goals = db.goals.GridGoals(counts).start(history)
+    expected = grid_goals.GridGoals(counts, history.sensory_space)
+    for _ in range(30):
+        assert goals.sample(history, rng).tolist() == expected.sample(plain)
+        assert state(rng) == state(plain)
+
+
+@given(histories(), TAUS, SEEDS)
+@EXACT
+def test_what_is_known_of_a_growing_history(history, tau, seed):
+    """A sampler at work remembers what is covered; its goals are those of one that does not."""
+    for value in (db.goals.UncoveredGoals(tau), db.goals.FrontierGoals(tau)):
+        sampler = value.start(history)
+        rng, plain = streams(seed)
+        for _ in range(20):
+            goal = sampler.sample(history, rng)
+            same(goal, value.sample(history, plain), rng, plain)
+            history.append(history.motor_space.sample(rng), goal + tau * (rng.random() - 0.5))
+            plain.bit_generator.state = rng.bit_generator.state
+
+
 def test_frontier_goals_are_at_such_distances_and_uncovered():
     history = db.History(db.Box([0], [1]), db.Box([-9] * 3, [9] * 3))
     for effect in [[0, 0, 0], [0, 0.1, 0], [2, 2, 2]]:
         history.append([0.5], effect)
-    goals, rng = db.FrontierGoals(0.5, reach=4.0), np.random.default_rng(0)
+    goals, rng = db.goals.FrontierGoals(0.5, reach=4.0).start(history), np.random.default_rng(0)
     found = np.array([far(history, goals.sample(history, rng)) for _ in range(2000)])
     assert 0.5 < found.min() < 0.51
     assert 1.95 < found.max() <= 2.0 + 1e-12
@@ -99,7 +128,7 @@ def test_frontier_goals_are_at_such_distances_and_uncovered():
 @pytest.mark.parametrize("cells", [1, 4, [1, 5], [3, 2]])
 def test_a_round_of_a_grid_has_a_goal_in_each_cell(cells):
     history = db.History(db.Box([0], [1]), db.Box([-1, 10], [1, 20]))
-    goals, rng = db.GridGoals(cells), np.random.default_rng(0)
+    goals, rng = db.goals.GridGoals(cells).start(history), np.random.default_rng(0)
     shape = [cells] * 2 if isinstance(cells, int) else cells
     for _ in range(3):
         drawn = [goals.sample(history, rng) for _ in range(shape[0] * shape[1])]
@@ -110,7 +139,7 @@ def test_a_round_of_a_grid_has_a_goal_in_each_cell(cells):
 
 def test_cells_come_in_random_order_and_goals_are_uniform_in_them():
     history = db.History(db.Box([0], [1]), db.Box([0], [1]))
-    goals, rng = db.GridGoals(3), np.random.default_rng(0)
+    goals, rng = db.goals.GridGoals(3).start(history), np.random.default_rng(0)
     drawn = np.array([[goals.sample(history, rng)[0] for _ in range(3)] for _ in range(3000)])
     orders = [tuple(row) for row in (drawn * 3).astype(int).tolist()]
     _, counts = np.unique(orders, axis=0, return_counts=True)
@@ -119,11 +148,12 @@ def test_cells_come_in_random_order_and_goals_are_uniform_in_them():
     assert stats.kstest(drawn.ravel(), stats.uniform().cdf).pvalue > LEVEL
 
 
-def test_the_same_grid_sampler_for_boxes_of_other_dimensions():
-    goals, rng = db.GridGoals(2), np.random.default_rng(0)
+def test_the_same_grid_for_boxes_of_other_dimensions():
+    goals, rng = db.goals.GridGoals(2), np.random.default_rng(0)
     for s in (1, 2, 1, 3):
         history = db.History(db.Box([0], [1]), db.Box([0] * s, [1] * s))
-        drawn = {tuple((2 * goals.sample(history, rng)).astype(int)) for _ in range(2**s)}
+        sampler = goals.start(history)
+        drawn = {tuple((2 * sampler.sample(history, rng)).astype(int)) for _ in range(2**s)}
         assert len(drawn) == 2**s
 
 
@@ -147,27 +177,43 @@ def test_before_anything_is_observed(sampler):
 
 
 @every
-def test_copies_go_on_alike(sampler):
+def test_values_are_not_changed_by_what_they_start(sampler):
     history = db.History(db.Box([0], [1]), db.Box([0, 0], [1, 1]))
     history.append([0.5], [0.5, 0.5])
-    goals, rng = sampler(), np.random.default_rng(0)
-    goals.sample(history, rng)
-    both = goals, history  # what a sampler remembers belongs to a history
-    others = copy.deepcopy(both), pickle.loads(pickle.dumps(both))  # noqa: S301
-    expected = [goals.sample(history, rng).tolist() for _ in range(12)]
-    for other, past in others:
-        again = np.random.default_rng(0)
-        sampler().sample(past, again)
-        assert [other.sample(past, again).tolist() for _ in range(12)] == expected
+    goals = sampler()
+
+    def drawn(value):
+        at_work, rng = value.start(history), np.random.default_rng(0)
+        return [at_work.sample(history, rng).tolist() for _ in range(12)]
+
+    expected = drawn(goals)
+    assert drawn(goals) == expected
+    assert goals.sample(history, np.random.default_rng(0)).tolist() == expected[0]
+    for other in (copy.deepcopy(goals), pickle.loads(pickle.dumps(goals))):  # noqa: S301
+        assert other == goals
+        assert hash(other) == hash(goals)
+        assert drawn(other) == expected
 
 
 @every
-def test_a_repr_is_the_call_that_makes_it(sampler):
-    goals = sampler(box=db.Box([0, 0], [1, 1]))
-    names = {name: getattr(db, name) for name in db.__all__}
-    again = eval(repr(goals), names)  # noqa: S307 - our own text
-    assert repr(again) == repr(goals)
-    assert vars(again) == vars(goals)
+def test_a_value_is_its_arguments(sampler):
+    box = db.Box([0, 0], [1, 1])
+    goals = sampler(box=box)
+    names = {"Box": db.Box, **{name: getattr(db.goals, name) for name in db.goals.__all__}}
+    assert eval(repr(goals), names) == goals  # noqa: S307 - our own text
+    assert goals != sampler()
+    assert replace(goals, box=None) == sampler()
+    with pytest.raises(FrozenInstanceError):
+        goals.box = None
+
+
+@every
+def test_a_sampler_says_what_it_must_be_given(sampler):
+    goals = sampler().start(db.History(db.Box([0], [1])))
+    with pytest.raises(TypeError, match="history must be a History, got list"):
+        goals.sample([], np.random.default_rng(0))
+    with pytest.raises(TypeError, match="value must be a goal sampler of the library, got int"):
+        type(goals)(3)
 
 
 @every
@@ -196,11 +242,11 @@ def test_driven_by_hand_what_does_not_fit_is_refused_and_nothing_drawn(sampler):
 
 def test_cells_of_another_dimension_are_refused():
     with pytest.raises(ValueError, match="cells must be one number or 2"):
-        db.GridGoals([1, 2, 3], box=db.Box([0, 0], [1, 1]))
+        db.goals.GridGoals([1, 2, 3], box=db.Box([0, 0], [1, 1]))
     with pytest.raises(ValueError, match="cells must be one number or 2"):
-        db.explore(db.PlanarArm(3), db.GoalBabbling(goals=db.GridGoals([1, 2, 3])), n=1)
+        db.explore(db.PlanarArm(3), db.GoalBabbling(goals=db.goals.GridGoals([1, 2, 3])), n=1)
     with pytest.raises(ValueError, match="cells must be at most 10000000 altogether"):
-        db.GridGoals(10_000, box=db.Box([0, 0], [1, 1]))
+        db.goals.GridGoals(10_000, box=db.Box([0, 0], [1, 1]))
 
 
 def test_extreme_effects_and_boxes():

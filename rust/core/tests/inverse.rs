@@ -2,7 +2,9 @@
 
 mod oracles;
 
-use divbandit_core::{Bounds, Error, NearestNeighbors, inverse};
+use divbandit_core::inverse::{InverseModel, Nearest};
+use divbandit_core::{Bounds, History};
+use oracles::past::past;
 use oracles::{Stream, by_distance, fixed};
 use proptest::prelude::*;
 
@@ -10,7 +12,7 @@ use proptest::prelude::*;
 struct Known {
     space: Bounds,
     effects: Vec<Vec<f64>>,
-    tree: NearestNeighbors,
+    history: History,
     commands: Vec<f64>,
 }
 
@@ -20,10 +22,9 @@ fn known(m: usize, n: usize, stream: &mut Stream) -> Known {
     let space = Bounds::new(low, high).unwrap();
     let effects: Vec<Vec<f64>> =
         (0..n).map(|_| vec![stream.between(-1.0, 1.0), stream.between(-1.0, 1.0)]).collect();
-    let mut tree = NearestNeighbors::new(2).unwrap();
-    tree.extend(&effects.concat()).unwrap();
-    let commands = (0..n).flat_map(|_| space.sample(&mut || stream.unit())).collect();
-    Known { space, effects, tree, commands }
+    let commands: Vec<f64> = (0..n).flat_map(|_| space.sample(&mut || stream.unit())).collect();
+    let history = past(&space, None, 2, &commands, &effects.concat());
+    Known { space, effects, history, commands }
 }
 
 proptest! {
@@ -35,12 +36,14 @@ proptest! {
         d in prop_oneof![Just(0.0), Just(1.0), 0.0..=1.0, 1e-17..1e-12],
     ) {
         let mut stream = Stream(seed);
-        let Known { space, effects, tree, commands } = known(m, n, &mut stream);
+        let Known { space, effects, mut history, commands } = known(m, n, &mut stream);
         let goal = [stream.between(-1.5, 1.5), stream.between(-1.5, 1.5)];
         let parent = &commands[by_distance(&effects, &goal)[0].1 * m..][..m];
         let mut draws = Vec::new();
         let mut count = || { draws.push(stream.unit()); draws[draws.len() - 1] };
-        let command = inverse(&goal, d, &tree, &commands, &space, &mut count).unwrap();
+        let mut command = vec![0.0; m];
+        let mut model = Nearest::new(d).unwrap();
+        model.command(&goal, &mut history, &mut count, &mut command).unwrap();
 
         prop_assert_eq!(draws.len(), m);
         prop_assert!(space.check("command", &command).is_ok());
@@ -58,11 +61,13 @@ proptest! {
     #[test]
     fn without_perturbation_the_parent_returns(m in 1..=20_usize, n in 1..60_usize, seed: u64) {
         let mut stream = Stream(seed);
-        let Known { space, effects, tree, commands } = known(m, n, &mut stream);
+        let Known { space, effects, mut history, commands } = known(m, n, &mut stream);
         let i = stream.below(n);
         let first = effects.iter().position(|effect| *effect == effects[i]).unwrap();
         let mut unit = || stream.unit();
-        let command = inverse(&effects[i], 0.0, &tree, &commands, &space, &mut unit).unwrap();
+        let mut command = vec![0.0; m];
+        let mut model = Nearest::new(0.0).unwrap();
+        model.command(&effects[i], &mut history, &mut unit, &mut command).unwrap();
         prop_assert_eq!(&command[..], &commands[first * m..][..m]);
     }
 }
@@ -81,26 +86,23 @@ fn the_largest_draw_does_not_leave_the_box() {
 
 #[test]
 fn a_refusal_draws_nothing() {
-    let Known { space, tree, commands, .. } = known(3, 10, &mut Stream(1));
-    let empty = NearestNeighbors::new(2).unwrap();
-    let mut draws = 0;
-    let mut ask = |goal: &[f64], d: f64, tree: &NearestNeighbors, commands: &[f64]| {
-        let mut count = || {
-            draws += 1;
-            0.5
-        };
-        let refused: Error = inverse(goal, d, tree, commands, &space, &mut count).unwrap_err();
-        refused.to_string()
+    let Known { space, mut history, .. } = known(3, 10, &mut Stream(1));
+    let mut none = || panic!("nothing may be drawn");
+    let mut ask = |goal: &[f64], history: &mut History, m: usize| {
+        let mut model = Nearest::new(0.1).unwrap();
+        model.command(goal, history, &mut none, &mut vec![0.0; m]).unwrap_err().to_string()
     };
     let goal = [0.0, 0.0];
-    assert_eq!(ask(&goal, 0.1, &empty, &[]), "the set of points must not be empty");
-    assert_eq!(ask(&goal, -0.1, &tree, &commands), "d must be in [0, 1], got -0.1");
-    assert_eq!(ask(&goal, 1.5, &tree, &commands), "d must be in [0, 1], got 1.5");
-    assert_eq!(ask(&goal, f64::NAN, &tree, &commands), "d must be in [0, 1], got NaN");
-    assert_eq!(ask(&[0.0], 0.1, &tree, &commands), "goal must have length 2, got 1");
-    assert_eq!(ask(&[0.0, f64::NAN], 0.1, &tree, &commands), "goal[1] must be finite, got NaN");
-    assert_eq!(ask(&goal, 0.1, &tree, &commands[1..]), "commands must have length 30, got 29");
-    let outside = ask(&goal, 0.1, &tree, &[99.0; 30]);
-    assert!(outside.starts_with("parent[0] must be in the range ["), "{outside}");
-    assert_eq!(draws, 0);
+    let mut empty = past(&space, None, 2, &[], &[]);
+    assert_eq!(ask(&goal, &mut empty, 3), "history must not be empty");
+    assert_eq!(ask(&[0.0], &mut history, 3), "goal must have length 2, got 1");
+    assert_eq!(ask(&[0.0, f64::NAN], &mut history, 3), "goal[1] must be finite, got NaN");
+    assert_eq!(ask(&goal, &mut history, 2), "command must have length 3, got 2");
+    let mut forgetful = History::new(space, None, 2, false).unwrap();
+    forgetful.record(&[0.0; 3], &[0.0; 2]);
+    assert_eq!(ask(&goal, &mut forgetful, 3), "commands must have length 3, got 0");
+    for (d, said) in [(-0.1, "-0.1"), (1.5, "1.5"), (f64::NAN, "NaN")] {
+        let expected = format!("d must be in [0, 1], got {said}");
+        assert_eq!(Nearest::new(d).unwrap_err().to_string(), expected);
+    }
 }

@@ -1,12 +1,12 @@
-//! Untried goals equal a plain search, and the local model's steps a plain solution of its
-//! equations; whatever was observed, commands stay in the box and cost one draw a coordinate.
+//! The local model's steps equal a plain solution of its equations; whatever was observed, commands
+//! stay in the box and cost one draw a coordinate.
 
 mod oracles;
 
-use divbandit_core::goals::Untried;
-use divbandit_core::inverse::{LocalJacobian, Observed};
-use divbandit_core::{Bounds, Error, NearestNeighbors};
+use divbandit_core::inverse::{InverseModel, LocalJacobian};
+use divbandit_core::{Bounds, Error, History, UniformStream};
 use nalgebra::{DMatrix, DVector};
+use oracles::past::past;
 use oracles::{Stream, by_distance, fixed};
 use proptest::prelude::*;
 
@@ -14,14 +14,20 @@ use proptest::prelude::*;
 struct Known {
     space: Bounds,
     effects: Vec<Vec<f64>>,
-    tree: NearestNeighbors,
+    history: History,
     commands: Vec<f64>,
 }
 
-impl Known {
-    fn observed(&self) -> Observed<'_> {
-        Observed { effects: &self.tree, commands: &self.commands, motor_space: &self.space }
-    }
+/// The command that a model makes of a goal.
+fn command(
+    model: &LocalJacobian,
+    goal: &[f64],
+    history: &mut History,
+    draws: &mut dyn UniformStream,
+) -> Result<Vec<f64>, Error> {
+    let mut command = vec![0.0; history.motor_space().dim()];
+    model.clone().command(goal, history, draws, &mut command)?;
+    Ok(command)
 }
 
 /// Commands in a box of which one edge in four is a point, and the effects of a curved map; some
@@ -47,9 +53,8 @@ fn known(m: usize, s: usize, n: usize, scale: f64, stream: &mut Stream) -> Known
         effects.push(effect);
         commands.extend(command);
     }
-    let mut tree = NearestNeighbors::new(s).unwrap();
-    tree.extend(&effects.concat()).unwrap();
-    Known { space, effects, tree, commands }
+    let history = past(&space, None, s, &commands, &effects.concat());
+    Known { space, effects, history, commands }
 }
 
 /// The centre of the perturbation and its reach, by nalgebra's general decompositions; None where
@@ -121,12 +126,12 @@ proptest! {
         reach in prop_oneof![Just(1.0), 1e-3..0.1], scale in prop_oneof![Just(1.0), Just(1e-9)],
     ) {
         let mut stream = Stream(seed);
-        let known = known(m, s, n, scale, &mut stream);
+        let mut known = known(m, s, n, scale, &mut stream);
         let goal: Vec<f64> = (0..s).map(|_| scale * stream.between(-20.0, 20.0)).collect();
         let model = LocalJacobian::new(k, used, 0.01, reach, noise).unwrap();
         let mut draws = Vec::new();
         let mut count = || { draws.push(stream.unit()); draws[draws.len() - 1] };
-        let command = model.command(&goal, &known.observed(), &mut count).unwrap();
+        let command = command(&model, &goal, &mut known.history, &mut count).unwrap();
 
         prop_assert_eq!(draws.len(), m);
         prop_assert!(known.space.check("command", &command).is_ok());
@@ -156,58 +161,26 @@ proptest! {
         let space = Bounds::new(vec![-motor; m], vec![motor; m]).unwrap();
         let commands: Vec<f64> = (0..n).flat_map(|_| space.sample(&mut || stream.unit())).collect();
         let points: Vec<f64> = (0..n * s).map(|_| effects * stream.between(-1.0, 1.0)).collect();
-        let mut tree = NearestNeighbors::new(s).unwrap();
-        tree.extend(&points).unwrap();
         let goal: Vec<f64> = (0..s).map(|_| effects * stream.between(-1.0, 1.0)).collect();
-        let observed = Observed { effects: &tree, commands: &commands, motor_space: &space };
+        let mut history = past(&space, None, s, &commands, &points);
         let model = LocalJacobian::new(50, used, ridge, 1.0, 0.3).unwrap();
-        let command = model.command(&goal, &observed, &mut || stream.unit()).unwrap();
+        let command = command(&model, &goal, &mut history, &mut || stream.unit()).unwrap();
         prop_assert!(space.check("command", &command).is_ok());
     }
 
     #[test]
-    fn an_untried_goal_is_that_of_a_plain_search(
-        s in 1..=3_usize, n in 1..40_usize, candidates in 1..8_usize, tries in 1..6_usize,
-        reach in 1.0..5.0, tau in prop_oneof![Just(0.05), 0.01..1.0], seed: u64,
+    fn a_model_remembers_nothing(
+        m in 1..=8_usize, s in 1..=3_usize, n in 2..80_usize, used in 1..12_usize, seed: u64,
     ) {
         let mut stream = Stream(seed);
-        let effects: Vec<Vec<f64>> =
-            (0..n).map(|_| (0..s).map(|_| stream.between(-1.5, 1.5)).collect()).collect();
-        let mut tree = NearestNeighbors::new(s).unwrap();
-        tree.extend(&effects.concat()).unwrap();
-        let goals = Bounds::new(vec![-1.0; s], vec![1.0; s]).unwrap();
-        let search = Untried::new(tau, candidates, tries, reach).unwrap();
-        let mut counts = vec![0_u32; n + 3];
-        let mut plain_counts = counts.clone();
-        let start = stream.0;
-        let mut plain = Stream(start);
-        for _ in 0..20 {
-            let goal = search.sample(&goals, &tree, &mut counts, &mut || stream.unit()).unwrap();
-
-            let mut best: Option<(u32, Vec<f64>, usize)> = None;
-            for _ in 0..candidates {
-                let mut draw = || goals.sample(&mut || plain.unit());
-                let mut candidate = draw();
-                for _ in 1..tries {
-                    if by_distance(&effects, &candidate)[0].0 > tau { break; }
-                    candidate = draw();
-                }
-                let (distance, i) = by_distance(&effects, &candidate)[0];
-                if distance > reach * tau {
-                    for (x, y) in candidate.iter_mut().zip(&effects[i]) {
-                        *x = (y + (*x - y) * (reach * tau / distance)).clamp(-1.0, 1.0);
-                    }
-                }
-                if best.as_ref().is_none_or(|best| plain_counts[i] < best.0) {
-                    best = Some((plain_counts[i], candidate, i));
-                }
-                if plain_counts[i] == 0 { break; }
-            }
-            let (_, expected, i) = best.unwrap();
-            plain_counts[i] += 1;
-            prop_assert_eq!(&goal, &expected);
-            prop_assert_eq!(&counts, &plain_counts);
-            prop_assert_eq!(stream.0, plain.0);
+        let mut known = known(m, s, n, 1.0, &mut stream);
+        let fresh = LocalJacobian::new(50, used, 0.01, 0.1, 0.3).unwrap();
+        let (mut model, mut found) = (fresh.clone(), vec![0.0; m]);
+        for _ in 0..5 {
+            let goal: Vec<f64> = (0..s).map(|_| stream.between(-20.0, 20.0)).collect();
+            model.command(&goal, &mut known.history, &mut || 0.3, &mut found).unwrap();
+            let expected = command(&fresh, &goal, &mut known.history, &mut || 0.3).unwrap();
+            prop_assert_eq!(&found, &expected);
         }
     }
 }
@@ -217,12 +190,10 @@ fn a_linear_map_is_inverted_in_one_step() {
     // y = 2 a - b: the least step to 0.6 more is (0.24, -0.12); commands nearby tell the slopes.
     let space = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
     let commands = [0.0, 0.0, 0.1, 0.0, 0.0, 0.1];
-    let mut tree = NearestNeighbors::new(1).unwrap();
-    tree.extend(&[0.0, 0.2, -0.1]).unwrap();
-    let observed = Observed { effects: &tree, commands: &commands, motor_space: &space };
+    let mut history = past(&space, None, 1, &commands, &[0.0, 0.2, -0.1]);
     let model = LocalJacobian::new(50, 10, 1e-10, 1.0, 0.0).unwrap();
     // From (0.1, 0), whose effect is 0.2, another 0.6: (0.1 + 0.24, -0.12).
-    let command = model.command(&[0.8], &observed, &mut || 0.5).unwrap();
+    let command = command(&model, &[0.8], &mut history, &mut || 0.5).unwrap();
     assert!((command[0] - 0.34).abs() < 1e-5 && (command[1] + 0.12).abs() < 1e-5, "{command:?}");
 }
 
@@ -237,67 +208,30 @@ fn where_no_step_can_be_told_the_nearest_command_is_perturbed() {
         (&[5.0, 3.0, 6.0, 3.0], &[1.0, 1.0]),
     ];
     for (commands, effects) in cases {
-        let mut tree = NearestNeighbors::new(1).unwrap();
-        tree.extend(effects).unwrap();
-        let observed = Observed { effects: &tree, commands, motor_space: &space };
+        let mut history = past(&space, None, 1, commands, effects);
         // Half of a tenth of 10 to either side of 5; a draw of 0.25 is half way down.
-        assert_eq!(model.command(&[0.0], &observed, &mut || 0.25).unwrap(), [4.75, 3.0]);
+        let found = command(&model, &[0.0], &mut history, &mut || 0.25).unwrap();
+        assert_eq!(found, [4.75, 3.0]);
     }
 }
 
 #[test]
-fn a_refusal_draws_and_counts_nothing() {
-    let known = known(3, 2, 10, 1.0, &mut Stream(1));
-    let observed = known.observed();
-    let mut draws = 0;
-    let mut count = || {
-        draws += 1;
-        0.5
+fn a_refusal_draws_nothing() {
+    let Known { space, mut history, .. } = known(3, 2, 10, 1.0, &mut Stream(1));
+    let mut none = || panic!("nothing may be drawn");
+    let mut model = LocalJacobian::new(5, 3, 0.1, 0.1, 0.1).unwrap();
+    let mut ask = |goal: &[f64], history: &mut History, m: usize| {
+        model.command(goal, history, &mut none, &mut vec![0.0; m]).unwrap_err().to_string()
     };
-    let message = |refused: Result<Vec<f64>, Error>| refused.unwrap_err().to_string();
-    let model = LocalJacobian::new(5, 3, 0.1, 0.1, 0.1).unwrap();
-    let empty = NearestNeighbors::new(2).unwrap();
-    let nothing = Observed { effects: &empty, commands: &[], ..observed };
-    let cut = Observed { commands: &known.commands[1..], ..observed };
-    let outside = Observed { commands: &[99.0; 30], ..observed };
     let goal = [0.0, 0.0];
-    assert_eq!(
-        message(model.command(&goal, &nothing, &mut count)),
-        "the set of effects must not be empty"
-    );
-    assert_eq!(
-        message(model.command(&[0.0], &observed, &mut count)),
-        "goal must have length 2, got 1"
-    );
-    assert_eq!(
-        message(model.command(&[0.0, f64::NAN], &observed, &mut count)),
-        "goal[1] must be finite, got NaN"
-    );
-    assert_eq!(
-        message(model.command(&goal, &cut, &mut count)),
-        "commands must have length 30, got 29"
-    );
-    assert!(
-        message(model.command(&goal, &outside, &mut count)).starts_with("parent[0] must be in")
-    );
-
-    let search = Untried::new(0.1, 3, 3, 2.0).unwrap();
-    let goals = Bounds::new(vec![0.0; 2], vec![1.0; 2]).unwrap();
-    let line = Bounds::new(vec![0.0], vec![1.0]).unwrap();
-    let mut counts = [0; 10];
-    assert_eq!(
-        message(search.sample(&line, &known.tree, &mut counts, &mut count)),
-        "goals must have length 2, got 1"
-    );
-    assert_eq!(
-        message(search.sample(&goals, &empty, &mut counts, &mut count)),
-        "the set of effects must not be empty"
-    );
-    assert_eq!(
-        message(search.sample(&goals, &known.tree, &mut counts[1..], &mut count)),
-        "counts must have length 10, got 9"
-    );
-    assert_eq!((draws, counts), (0, [0; 10]));
+    let mut empty = past(&space, None, 2, &[], &[]);
+    assert_eq!(ask(&goal, &mut empty, 3), "history must not be empty");
+    assert_eq!(ask(&[0.0], &mut history, 3), "goal must have length 2, got 1");
+    assert_eq!(ask(&[0.0, f64::NAN], &mut history, 3), "goal[1] must be finite, got NaN");
+    assert_eq!(ask(&goal, &mut history, 2), "command must have length 3, got 2");
+    let mut forgetful = History::new(space, None, 2, false).unwrap();
+    forgetful.record(&[0.0; 3], &[0.0; 2]);
+    assert_eq!(ask(&goal, &mut forgetful, 3), "commands must have length 3, got 0");
 }
 
 #[test]
@@ -310,11 +244,4 @@ fn settings_are_checked() {
     assert_eq!(model(1, 1, 0.0, 0.1, 0.1), "ridge must be positive and finite, got 0.0");
     assert_eq!(model(1, 1, 0.1, 1.1, 0.1), "reach must be in [0, 1], got 1.1");
     assert_eq!(model(1, 1, 0.1, 0.1, f64::NAN), "noise must be in [0, 1], got NaN");
-    let search = |tau, candidates, tries, reach| {
-        Untried::new(tau, candidates, tries, reach).unwrap_err().to_string()
-    };
-    assert_eq!(search(0.0, 1, 1, 1.0), "tau must be positive and finite, got 0.0");
-    assert_eq!(search(0.1, 0, 1, 1.0), "candidates must be at least 1, got 0");
-    assert_eq!(search(0.1, 1, 0, 1.0), "tries must be at least 1, got 0");
-    assert_eq!(search(0.1, 1, 1, 0.9), "reach must be at least 1, finite, got 0.9");
 }

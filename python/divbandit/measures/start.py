@@ -39,7 +39,8 @@ def start_measure(name: str, measure: Measure, dim: int) -> RunningMeasure:
     1.0
     """
     measure = check_measure(name, measure)
-    running = (measure if isinstance(measure, Value) else copy.deepcopy(measure)).start(dim)
+    mine = measure if isinstance(measure, Value) else copy.deepcopy(measure)
+    running: object = mine.start(dim)
     if isinstance(running, type) or not isinstance(running, RunningMeasure):
         kind = "a class" if isinstance(running, type) else type(running).__name__
         raise TypeError(f"{name}.start must return a RunningMeasure, got {kind}")

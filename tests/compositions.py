@@ -6,23 +6,23 @@ import optuna
 from mabwiser.mab import LearningPolicy
 
 import divbandit as db
-from divbandit.adapters import MabwiserRule, OptunaSampler, RibsEmitter
-from divbandit.bandits import CoverageGain, WholePast
+from divbandit.adapters import MabwiserPolicy, OptunaSampler, QuasiRandomBabbling, RibsEmitter
+from divbandit.bandits import Gain, WholePast
 
 #: Who draws goals, and who turns them into commands.
 GOALS = {
-    "uniform goals": db.UniformGoals,
-    "goals on a grid": lambda: db.GridGoals([4, 5]),
-    "uncovered goals": lambda: db.UncoveredGoals(0.1),
-    "frontier goals": lambda: db.FrontierGoals(0.1),
-    "novel goals": lambda: db.NovelGoals(3),
-    "untried goals": lambda: db.UntriedGoals(0.1),
+    "uniform goals": db.goals.UniformGoals,
+    "goals on a grid": lambda: db.goals.GridGoals([4, 5]),
+    "uncovered goals": lambda: db.goals.UncoveredGoals(0.1),
+    "frontier goals": lambda: db.goals.FrontierGoals(0.1),
+    "novel goals": lambda: db.goals.NovelGoals(3),
+    "untried goals": lambda: db.goals.UntriedGoals(0.1),
 }
 INVERSES = {
-    "nearest neighbour": lambda: db.NearestNeighbor(0.05),
-    "k nearest": lambda: db.KNearest(3, 0.05),
-    "local regression": lambda: db.LocalRegression(8, 0.05),
-    "local Jacobian": db.LocalJacobian,
+    "nearest neighbour": lambda: db.inverse.Nearest(0.05),
+    "k nearest": lambda: db.inverse.KNearest(3, 0.05),
+    "local regression": lambda: db.inverse.LocalRegression(8, 0.05),
+    "local Jacobian": db.inverse.LocalJacobian,
 }
 
 
@@ -63,20 +63,27 @@ def plain():
             tau=0.05,
             window=11,
         ),
-        "adapt, by the grid": db.Adapt([rmb(), rgb(0.05)], measure=db.GridCoverage(0.05)),
-        "adapt, by sparseness": db.Adapt([rmb(), rgb(0.05)], measure=db.Sparseness(), alpha=0.3),
-        "adapt, by entropy": db.Adapt([rmb(), rgb(0.05)], window=7, measure=db.Entropy([0.1, 0.2])),
+        "adapt, by the grid": db.Adapt(
+            [rmb(), rgb(0.05)], reward=Gain(db.measures.GridCoverage(0.05))
+        ),
+        "adapt, by sparseness": db.Adapt(
+            [rmb(), rgb(0.05)], reward=Gain(db.measures.Sparseness()), alpha=0.3
+        ),
+        "adapt, by entropy": db.Adapt(
+            [rmb(), rgb(0.05)], window=7, reward=Gain(db.measures.Entropy([0.1, 0.2]))
+        ),
         "adapt by the grid, of an adapt": db.Adapt(
-            [db.Adapt([rmb(), rgb(0.5)], tau=0.1), rgb(0.05)], measure=db.GridCoverage(0.1)
+            [db.Adapt([rmb(), rgb(0.5)], tau=0.1), rgb(0.05)],
+            reward=Gain(db.measures.GridCoverage(0.1)),
         ),
         **pairs(),
-        "goal babbling, own goals, by a sampler": rgb(goals=db.NovelGoals(2, box=wide)),
-        "quasi-random babbling, by Sobol": db.QuasiRandomBabbling(),
+        "goal babbling, own goals, by a sampler": rgb(goals=db.goals.NovelGoals(2, box=wide)),
+        "quasi-random babbling, by Sobol": QuasiRandomBabbling(),
         "adapt, by quasi-random babbling and others": db.Adapt(
             [
-                db.Schedule([(9, db.QuasiRandomBabbling()), (None, db.QuasiRandomBabbling())]),
-                rgb(goals=db.GridGoals(3), inverse=db.LocalRegression(5, 0.05)),
-                rgb(inverse=db.KNearest(2, 0.1)),
+                db.Schedule([(9, QuasiRandomBabbling()), (None, QuasiRandomBabbling())]),
+                rgb(goals=db.goals.GridGoals(3), inverse=db.inverse.LocalRegression(5, 0.05)),
+                rgb(inverse=db.inverse.KNearest(2, 0.1)),
             ]
         ),
         "mixture of adapts": db.Mixture([db.Adapt([rmb(), rgb(0.05)]), rmb()]),
@@ -97,9 +104,9 @@ def adapted():
         "evolution, of Optuna": OptunaSampler(optuna.samplers.CmaEsSampler),
         "bandit by a policy of MABWiser": db.Bandit(
             [db.MotorBabbling(), db.GoalBabbling(goals=wide)],
-            credit=CoverageGain(0.05),
-            memory=WholePast(),
-            rule=MabwiserRule(LearningPolicy.UCB1()),
+            tau=0.05,
+            estimator=WholePast(),
+            policy=MabwiserPolicy(LearningPolicy.UCB1()),
         ),
         "adapt of other libraries": db.Adapt(
             [OptunaSampler(optuna.samplers.RandomSampler), RibsEmitter(box=wide)], tau=0.05
@@ -116,37 +123,35 @@ def bandits():
     """Return fresh bandits of other parts than Adapt's."""
     parts, b = [db.MotorBabbling(), db.GoalBabbling(0.05)], db.bandits
     return {
-        "bandit, ucb1": b.ucb1(parts),
-        "bandit, ucb1 by sparseness": b.ucb1(parts, credit=b.Gain(db.Sparseness(3))),
-        "bandit, sliding-window ucb": b.sliding_window_ucb(parts, window=20),
+        "bandit, ucb1": b.ucb1(parts, tau=0.02),
+        "bandit, ucb1 by sparseness": b.ucb1(parts, reward=b.Gain(db.measures.Sparseness(3))),
+        "bandit, sliding-window ucb": b.sliding_window_ucb(parts, window=20, tau=0.02),
         "bandit, discounted ucb by the grid": b.discounted_ucb(
-            parts, gamma=0.9, credit=b.Gain(db.GridCoverage(0.1))
+            parts, gamma=0.9, reward=b.Gain(db.measures.GridCoverage(0.1))
         ),
         "bandit, thompson by progress": db.Bandit(
-            parts, credit=b.CompetenceProgress(), memory=b.WholePast(), rule=b.Thompson()
+            parts, reward=b.CompetenceProgress(), estimator=b.WholePast(), policy=b.Thompson()
         ),
-        "bandit, exp3": db.Bandit(
-            parts, credit=b.CoverageGain(), memory=b.Window(9), rule=b.Exp3(0.2)
-        ),
+        "bandit, exp3": db.Bandit(parts, tau=0.02, estimator=b.Window(9), policy=b.Exp3(0.2)),
         "bandit, softmax over an exp3s": db.Bandit(
             [
                 db.Bandit(
                     [db.GoalBabbling(0.5), db.MotorBabbling()],
-                    credit=b.CoverageGain(0.1),
-                    memory=b.Discounted(0.95),
-                    rule=b.Exp3S(0.3, 0.01),
+                    tau=0.1,
+                    estimator=b.Discounted(0.95),
+                    policy=b.Exp3S(0.3, 0.01),
                 ),
                 db.GoalBabbling(0.001),
             ],
-            credit=b.CoverageGain(0.05),
-            memory=b.RecentWindow(30),
-            rule=b.Softmax(0.2),
+            tau=0.05,
+            estimator=b.RecentWindow(30),
+            policy=b.Softmax(0.2),
         ),
         "bandit, greedy": db.Bandit(
-            parts, credit=b.CoverageGain(), memory=b.Discounted(0.9), rule=b.EpsilonGreedy(0.2)
+            parts, tau=0.02, estimator=b.Discounted(0.9), policy=b.EpsilonGreedy(0.2)
         ),
         "the paper's three parts": db.Bandit(
-            parts, credit=b.CoverageGain(0.1), memory=b.Window(7), rule=b.Proportional(power=2)
+            parts, tau=0.1, estimator=b.Window(7), policy=b.Proportional(power=2)
         ),
         "adapt, to a power": db.Adapt(parts, tau=0.1, window=7, power=1.5),
     }
@@ -161,7 +166,7 @@ def defaults():
             [db.default_strategy(0.05, goals=wide), db.MotorBabbling()]
         ),
         "the default's strategies twice": db.Adapt(
-            [*db.default_strategies(0.1), *db.default_strategies(0.02)], tau=0.1
+            [*db.bandits.default_strategies(0.1), *db.bandits.default_strategies(0.02)], tau=0.1
         ),
     }
 

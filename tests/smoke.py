@@ -20,7 +20,7 @@ adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
 run = db.explore(db.PlanarArm(20), adapt, n=1000, rng=0)
 assert run.effects.shape == (1000, 2)
 assert abs(run.coverage(0.02)[-1] - db.coverage(run.effects, 0.02)) < 1e-12
-task = db.Task(db.PlanarArm(20), adapt, n=1000)
+task = db.experiments.Task(db.PlanarArm(20), adapt, n=1000)
 many = dict(db.explore_many(task.over(range(4)), keep=lambda one: one.effects, jobs=2))
 assert np.array_equal(many[0], run.effects)
 run.save("smoke.npz")

@@ -31,8 +31,8 @@ Examples
 >>> import divbandit as db
 >>> strategies = [db.MotorBabbling(), db.GoalBabbling(0.05)]
 >>> run = db.explore(db.PlanarArm(20), db.Adapt(strategies, tau=0.02), n=1000, rng=0)
->>> round(run.coverage(0.02)[-1], 1)  # square metres
-0.9
+>>> f"{run.coverage(0.02)[-1]:.1f} square metres"
+'0.8 square metres'
 """
 
 from divbandit import (

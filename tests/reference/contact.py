@@ -8,7 +8,7 @@ lies between two of them is the distance of the thin shapes less both radii.
 import numpy as np
 import shapely
 
-import divbandit as db
+from divbandit.environments import Disc, Polygon, Rectangle, Wall
 
 #: Steps that are looked at in one go.
 BLOCK = 500
@@ -24,13 +24,13 @@ def postures(angles):
 def shape(obstacle):
     """Return an obstacle as a thin shape and the radius by which it is thickened."""
     match obstacle:
-        case db.Disc():
+        case Disc():
             return shapely.Point(obstacle.center), obstacle.radius
-        case db.Rectangle():
+        case Rectangle():
             return shapely.box(*obstacle.low, *obstacle.high), 0.0
-        case db.Polygon():
+        case Polygon():
             return shapely.Polygon(obstacle.points), 0.0
-        case db.Wall():
+        case Wall():
             return shapely.LineString([obstacle.start, obstacle.end]), obstacle.thickness / 2
     raise TypeError(obstacle)
 

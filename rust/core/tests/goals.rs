@@ -228,7 +228,8 @@ fn what_does_not_fit_is_refused_and_nothing_drawn() {
 #[test]
 fn with_nothing_observed_goals_are_uniform() {
     let mut empty = past(&line(), Some(&line()), 1, &[], &[]);
-    for mut sampler in every(None).into_iter().filter(|each| !format!("{each:?}").contains("Grid")) {
+    for mut sampler in every(None).into_iter().filter(|each| !format!("{each:?}").contains("Grid"))
+    {
         let (mut stream, mut goal) = (Stream(1), Vec::new());
         sampler.sample(&mut empty, &mut || stream.unit(), &mut goal).unwrap();
         assert_eq!(goal, line().sample(&mut || Stream(1).unit()));

@@ -97,9 +97,8 @@ fn between_two_effects_the_mean_is_by_inverse_distance() {
 fn a_line_is_fitted_and_followed_no_farther_than_its_reach() {
     let space = Bounds::new(vec![-100.0], vec![100.0]).unwrap();
     let mut history = past(&space, None, 1, &[3.0, 7.0], &[-1.0, 1.0]);
-    let mut at = |goal, reach| {
-        one(LocalRegression::new(2, 0.0, 1e-12, reach), goal, &mut history).unwrap()
-    };
+    let mut at =
+        |goal, reach| one(LocalRegression::new(2, 0.0, 1e-12, reach), goal, &mut history).unwrap();
     // At 0 both weigh the same: mean 0, spread 1, and the command is 5 + 2 y.
     for reach in [1.0, 9.0] {
         assert!((at(0.0, reach) - 5.0).abs() < 1e-9);

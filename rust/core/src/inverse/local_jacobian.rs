@@ -30,7 +30,7 @@ const DAMPING: f64 = 1e-6;
 /// The least that a pivot of a factorisation may be; the matrices have diagonals of the order of 1.
 const LEAST_PIVOT: f64 = 1e-12;
 
-/// Coordinates between two looks at whether a command is too far away.
+/// Coordinates that are a line of memory.
 const AT_ONCE: usize = 8;
 
 /// The command of the nearest effect, moved by a step in the model and perturbed.
@@ -131,25 +131,27 @@ impl LocalJacobian {
     /// distance the earliest first.
     fn find_near(&mut self, base: usize, observed: &Observed<'_>) {
         let parent = observed.command(base);
-        let m = parent.len();
-        self.near.clear();
-        for &(_, index) in &self.found {
-            if index == base {
-                continue;
+        let shares = &self.fit.shares;
+        // A few coordinates of all commands, then the next of all: the way of the commands from
+        // memory is most of the work, and so many of them are under way together.
+        self.found.iter_mut().for_each(|(squared, _)| *squared = 0.0);
+        for from in (0..parent.len()).step_by(AT_ONCE) {
+            let part = from..parent.len().min(from + AT_ONCE);
+            let (parent, shares) = (&parent[part.clone()], &shares[part.clone()]);
+            for (squared, index) in &mut self.found {
+                let command = &observed.command(*index)[part.clone()];
+                for ((x, at), share) in command.iter().zip(parent).zip(shares) {
+                    let along = (x - at) * share;
+                    *squared += along * along;
+                }
             }
+        }
+        self.near.clear();
+        for &(squared, index) in &self.found {
             let is_full = self.near.len() == self.used;
             let last = self.near.last().copied().filter(|_| is_full);
-            let farthest = last.map_or(f64::INFINITY, |(squared, _)| squared);
-            let (command, shares) = (observed.command(index), &self.fit.shares);
-            let mut squared = 0.0;
-            for from in (0..m).step_by(AT_ONCE) {
-                for j in from..m.min(from + AT_ONCE) {
-                    let along = (command[j] - parent[j]) * shares[j];
-                    squared += along * along;
-                }
-                if squared > farthest {
-                    break;
-                }
+            if index == base {
+                continue;
             }
             let each = (squared, index);
             if squared >= SAME && last.is_none_or(|last| nearer(&each, &last).is_lt()) {

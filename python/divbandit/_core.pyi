@@ -1,7 +1,7 @@
 # The compiled kernels; `import divbandit` brings all that is public.
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, Protocol, overload
+from typing import Any, Literal, Protocol, TypeAlias, overload
 
 import numpy as np
 from numpy.random import Generator
@@ -208,7 +208,7 @@ class History:
     def take(self, keep_commands: bool) -> _Arrays: ...
     def __len__(self) -> int: ...
 
-_Arrays = tuple[
+_Arrays: TypeAlias = tuple[
     NDArray[np.float64] | None,
     NDArray[np.float64],
     NDArray[np.int64],
@@ -225,9 +225,9 @@ class Trial:
     @classmethod
     def of(cls, proposal: Trial | ArrayLike) -> Trial: ...
     @property
-    def command(self) -> Any: ...
+    def command(self) -> Any: ...  # noqa: ANN401 - what the strategy proposed
     @property
-    def goal(self) -> Any: ...
+    def goal(self) -> Any: ...  # noqa: ANN401 - likewise
     @property
     def path(self) -> tuple[int, ...]: ...
     @property
@@ -297,9 +297,7 @@ class GoalSampler:
 @final
 class InverseModel:
     def __new__(cls, value: object) -> Self: ...
-    def command(
-        self, goal: ArrayLike, history: object, rng: Generator
-    ) -> NDArray[np.float64]: ...
+    def command(self, goal: ArrayLike, history: object, rng: Generator) -> NDArray[np.float64]: ...
 
 def exp(x: float) -> float: ...
 def log(x: float) -> float: ...

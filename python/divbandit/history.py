@@ -106,14 +106,18 @@ class History:
     @property
     def commands(self) -> NDArray[np.float64]:
         """The motor commands in order of observation, shape (n, m); a read-only view."""
-        self._commands = _extended(self._commands, self._log.commands_from(self._looked_at[0]), len(self))
+        self._commands = _extended(
+            self._commands, self._log.commands_from(self._looked_at[0]), len(self)
+        )
         self._looked_at[0] = len(self)
         return _read_only(self._commands[: len(self)])
 
     @property
     def effects(self) -> NDArray[np.float64]:
         """The effects in order of observation, shape (n, s); a read-only view."""
-        self._effects = _extended(self._effects, self._log.effects_from(self._looked_at[1]), len(self))
+        self._effects = _extended(
+            self._effects, self._log.effects_from(self._looked_at[1]), len(self)
+        )
         self._looked_at[1] = len(self)
         return _read_only(self._effects[: len(self)])
 
@@ -213,9 +217,7 @@ class History:
         return f"<History of {len(self)} evaluations, {self.motor_space.dim} -> {self.effect_dim}>"
 
 
-def _extended(
-    rows: NDArray[np.float64], new: NDArray[np.float64], n: int
-) -> NDArray[np.float64]:
+def _extended(rows: NDArray[np.float64], new: NDArray[np.float64], n: int) -> NDArray[np.float64]:
     """Return rows whose last of `n` are the new ones, with room for more."""
     if len(new) == 0:
         return rows

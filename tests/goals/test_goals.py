@@ -16,9 +16,9 @@ from scipy import stats
 
 import divbandit as db
 from tests.generators import state
+from tests.known import SEEDS, histories
 from tests.reference import grid_goals
 from tests.reference.nearest import nearest
-from tests.known import SEEDS, histories
 
 TAUS = st.sampled_from([1e-9, 0.05, 0.3, 10.0])
 TRIES = st.integers(1, 8)

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 
 import divbandit as db
 from tests.generators import state
-from tests.reference.nearest import nearest
 from tests.known import SEEDS, histories
+from tests.reference.nearest import nearest
 
 TAUS = st.sampled_from([1e-9, 0.05, 0.3, 10.0])
 

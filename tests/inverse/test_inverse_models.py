@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 
 import divbandit as db
 from tests.generators import state
-from tests.reference.nearest import nearest
 from tests.known import SEEDS, histories, history
+from tests.reference.nearest import nearest
 
 EXACT = settings(max_examples=200, deadline=None, derandomize=True)
 KS = st.integers(1, 12)

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 import divbandit as db
 from tests.generators import state
-from tests.reference.nearest import nearest
 from tests.known import SEEDS, histories
+from tests.reference.nearest import nearest
 
 
 def step(past, goal, model):
@@ -105,7 +105,10 @@ def test_a_linear_map_is_inverted_in_one_step():
 
 
 def test_where_no_step_can_be_told_the_nearest_command_is_perturbed():
-    past, model = db.History(db.Box([0, 3], [10, 3])), db.inverse.LocalJacobian(reach=0.1, noise=0.5)
+    past, model = (
+        db.History(db.Box([0, 3], [10, 3])),
+        db.inverse.LocalJacobian(reach=0.1, noise=0.5),
+    )
     for x in (5.0, 5.0, 9.0):
         past.append([x, 3], [1.0])
         drawn = [model.command([0.0], past, np.random.default_rng(i)) for i in range(200)]

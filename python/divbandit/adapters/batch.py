@@ -9,7 +9,8 @@ from divbandit.strategies import Trial
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import Self
 
 
 @dataclass(frozen=True)

@@ -19,9 +19,10 @@ if TYPE_CHECKING:
 
     import numpy as np
     from numpy.random import Generator
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
     from optuna.samplers import BaseSampler
     from optuna.study import Study
+    from typing_extensions import Self
 
     from divbandit.bandits.rewards import RunningReward
     from divbandit.box import Box

@@ -8,8 +8,8 @@ ADAPT(w, tau, alpha) (Benureau and Oudeyer, ICDL-EpiRob 2015), at each step:
 3. *Reward.* The gain of the effect is div_tau(y, E) = C_tau(E + y) - C_tau(E): the area by which
    its disc of radius tau enlarges the union of the discs around all effects E observed before,
    whichever strategy produced them.
-4. *Remember.* The diversity of the strategy is the mean gain of the last w effects that it produced.
-   A head start of k fictitious gains of a whole disc comes first, so that all are tried.
+4. *Remember.* The diversity of the strategy is the mean gain of the last w effects that it
+   produced. A head start of k fictitious gains of a whole disc comes first, so that all are tried.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     from numpy.random import Generator
     from numpy.typing import NDArray
 
+    from divbandit._core import Trial
     from divbandit.bandits.bandit import Rewarding
     from divbandit.bandits.rewards import Reward
     from divbandit.history import History
     from divbandit.strategies.base import Starter, Strategy
-    from divbandit._core import Trial
 
 
 #: The paper's radius of the discs.
@@ -63,8 +63,8 @@ class Adapt(RewardedValue):
         the plane have balls instead of discs, in the dimensions that `Coverage` takes.
     reward : Reward or callable, optional
         In place of the discs' area, for instance ``Gain(divbandit.measures.GridCoverage(0.05))``,
-        or a function ``(effect, history) -> float``. A strategy whose mean reward is negative counts
-        as one of diversity 0.
+        or a function ``(effect, history) -> float``. A strategy whose mean reward is negative
+        counts as one of diversity 0.
     window : int
         w, how many gains a strategy's diversity is averaged over; from 1 to a million.
     alpha : float
@@ -119,7 +119,7 @@ class Adapt(RewardedValue):
         power: float = 1.0,
     ) -> None:
         every = strategies_of(strategies)
-        radius, paid = tau_or_reward(_TAU if tau is reward is None else tau, reward)
+        radius, paid = tau_or_reward(_TAU if tau is None and reward is None else tau, reward)
         size = whole("window", window, low=1, high=LONGEST)
         self._set(
             strategies=every,

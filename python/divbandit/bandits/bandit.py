@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,16 +14,16 @@ from divbandit.measures import BallCoverage
 from divbandit.strategies.composite import CompositeValue, strategies_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     import numpy as np
     from numpy.random import Generator
     from numpy.typing import NDArray
 
+    from divbandit._core import Trial
     from divbandit.box import Box
     from divbandit.history import History
     from divbandit.strategies.base import Starter, Strategy
-    from divbandit._core import Trial
 
     Rewarding = Reward | Callable[[NDArray[np.float64], History], float]
 

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from divbandit._core import Trial
     from divbandit.bandits.estimators import Estimator
     from divbandit.bandits.rewards import Reward
     from divbandit.strategies.base import Starter, Strategy
-    from divbandit._core import Trial
 
 #: Rewards beyond this could not be summed up.
 _MOST = 1e300

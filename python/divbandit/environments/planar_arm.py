@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from divbandit._engine import Description
     from divbandit.environments.obstacles import Obstacle
 
 #: The smallest thickness of links, in metres.
@@ -237,13 +236,6 @@ class PlanarArm(Value):
         array([0.865725, 0.495   ])
         """
         return each_followed(self._moving, trajectory)
-
-    def _describe(self, description: Description) -> tuple[int, int]:
-        if isinstance(self._kernel, _core.PlanarArm):
-            return description.engine.planar_arm(self._kernel)
-        if isinstance(self._kernel, _core.PushArm):
-            return description.engine.push_arm(self._kernel)
-        return description.engine.obstructed_arm(self._kernel)
 
 
 def each_followed(

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from divbandit._engine import Description
     from divbandit.environments.obstacles import Obstacle
 
 
@@ -174,6 +173,3 @@ class PushArm(PlanarArm):
                [ 1. , -0.5,  0.3]])
         """
         return self._kernel.path(command)
-
-    def _describe(self, description: Description) -> tuple[int, int]:
-        return super()._describe(description)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from divbandit._checks import Rng
     from divbandit.environments import Environment
-    from divbandit.exploration.explore import Engine
+    from divbandit.exploration.drivers import EngineName
     from divbandit.strategies.base import Strategy
 
 
@@ -54,7 +54,7 @@ class Task(Value):
     strategy: Strategy
     n: int
     rng: Rng = None
-    engine: Engine = "auto"
+    engine: EngineName = "auto"
     keep_commands: bool = True
 
     def over(self, seeds: Iterable[Rng]) -> Iterator[Task]:

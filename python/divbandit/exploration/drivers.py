@@ -109,12 +109,12 @@ class RustDriver:
     def tell(self, trial: Trial, command: NDArray[np.float64], effect: NDArray[np.float64]) -> None:
         """Record the effect of a trial, and let the strategy learn from it."""
         del command
-        self._engine.tell(trial.number, self._log, effect)
+        self._engine.tell(trial.number, self._log, effect)  # type: ignore[arg-type] # given out
 
     def fail(self, trial: Trial, reason: str) -> None:
         """Let the strategy learn that a trial failed."""
         del reason
-        self._engine.fail(trial.number)
+        self._engine.fail(trial.number)  # type: ignore[arg-type] # given out
 
     def run(
         self,

@@ -11,9 +11,9 @@ from divbandit._core import as_point
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from divbandit._core import Trial
     from divbandit.environments import Environment
     from divbandit.exploration.explorer import Explorer
-    from divbandit.strategies.base import Trial
 
 
 def explore_with(

@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
 
 from divbandit._checks import generator, one_of, truth, whole
-from divbandit._core import as_point
+from divbandit._core import Trial, as_point
 from divbandit.exploration import saved
 from divbandit.exploration.drivers import ENGINES, RustDriver, driver_of
 from divbandit.exploration.journal import Event, Journal
 from divbandit.exploration.result import Exploration
 from divbandit.history import Failure, History
 from divbandit.strategies.base import Strategy
-from divbandit._core import Trial
 
 if TYPE_CHECKING:
     import os
@@ -105,7 +104,7 @@ class Explorer:
     ) -> Explorer:
         """Return an explorer that may forget commands which no strategy looks at."""
         explorer = cls.__new__(cls)
-        explorer._prepare(
+        explorer._prepare(  # noqa: SLF001 - a constructor
             strategy, motor_space, sensory_space, rng, engine, keep_commands=keep_commands
         )
         return explorer
@@ -198,7 +197,7 @@ class Explorer:
 
     def _give_out(self, trial: Trial) -> Trial:
         """Note that a trial is under way."""
-        self._open[self._asked] = (trial, trial.command)  # type: ignore[assignment] # an array
+        self._open[self._asked] = (trial, trial.command)
         self._asked += 1
         return trial
 
@@ -488,9 +487,7 @@ class Explorer:
         return f"<Explorer of {self._given!r} after {len(self.history)} evaluations>"
 
 
-def _started(
-    strategy: Strategy, history: History, engine: str, *, keep_commands: bool
-) -> Driver:
+def _started(strategy: Strategy, history: History, engine: str, *, keep_commands: bool) -> Driver:
     """Return the driver of a strategy; the history then logs as many estimates as it has."""
     driver = driver_of(strategy, history, engine)
     estimates = driver.estimates

@@ -11,8 +11,8 @@ from divbandit.exploration.journal import Event
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from divbandit._core import Trial
     from divbandit.exploration.explorer import Explorer
-    from divbandit.strategies.base import Trial
 
 
 class OtherwiseError(Exception):

@@ -16,6 +16,7 @@ from divbandit.measures.start import check_measure, start_measure
 
 if TYPE_CHECKING:
     import os
+
     from numpy.typing import NDArray
 
     from divbandit.history import History
@@ -142,7 +143,9 @@ class Exploration:
         check_measure("measure", measure)
         if len(self) == 0:  # perhaps of no dimension yet
             return np.empty(0)
-        return np.cumsum(start_measure("measure", measure, self.effects.shape[1]).extend(self.effects))
+        return np.cumsum(
+            start_measure("measure", measure, self.effects.shape[1]).extend(self.effects)
+        )
 
     def coverage(self, tau: float) -> NDArray[np.float64]:
         """Return the coverage after each step: the measure of the union of balls so far.

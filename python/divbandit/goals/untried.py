@@ -23,8 +23,9 @@ class UntriedGoals(BoxedGoals):
     from its nearest effect is moved straight towards it, to that distance, for an inverse model
     that is right only nearby.
 
-    A goal counts when it is drawn, whatever comes of it. With nothing observed yet goals are uniform
-    in the box, and nothing is counted. Each point drawn costs one ``rng.random()`` a coordinate.
+    A goal counts when it is drawn, whatever comes of it. With nothing observed yet goals are
+    uniform in the box, and nothing is counted. Each point drawn costs one ``rng.random()`` a
+    coordinate.
 
     Parameters
     ----------

@@ -12,8 +12,8 @@ from divbandit.inverse.kernel import KernelModel
 class Nearest(KernelModel):
     """Inverse_d: the command of the effect nearest to the goal (Benureau and Oudeyer 2015).
 
-    Each of its coordinates is then uniform within the share `d` of its motor range around it, inside
-    the motor space. What `GoalBabbling` does when it is given `d` alone.
+    Each of its coordinates is then uniform within the share `d` of its motor range around it,
+    inside the motor space. What `GoalBabbling` does when it is given `d` alone.
 
     Parameters
     ----------

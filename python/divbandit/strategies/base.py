@@ -6,8 +6,8 @@ import copy
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from divbandit._value import Value
 from divbandit._core import Trial
+from divbandit._value import Value
 
 if TYPE_CHECKING:
     import numpy as np

@@ -6,8 +6,8 @@ from abc import abstractmethod
 from typing import TYPE_CHECKING
 
 from divbandit._checks import whole
-from divbandit.strategies.base import Starter, Strategy, StrategyValue
 from divbandit._core import Trial
+from divbandit.strategies.base import Starter, Strategy, StrategyValue
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 from divbandit._checks import real
+from divbandit._core import Trial
 from divbandit.box import Box, BoxLike
 from divbandit.goals import GoalSampler, UniformGoals
 from divbandit.inverse import InverseModel, Nearest
 from divbandit.strategies.base import Starter, Strategy, StrategyValue
-from divbandit._core import Trial
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -52,8 +52,8 @@ class GoalBabbling(StrategyValue):
     Raises
     ------
     TypeError, ValueError
-        If `d` is not a number in [0, 1], `goals` is neither a box nor a sampler, `inverse` is not an
-        inverse model, or `d` is given as well.
+        If `d` is not a number in [0, 1], `goals` is neither a box nor a sampler, `inverse` is not
+        an inverse model, or `d` is given as well.
 
     See Also
     --------

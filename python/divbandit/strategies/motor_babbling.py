@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from divbandit.strategies.base import Starter, StrategyValue
 from divbandit._core import Trial
+from divbandit.strategies.base import Starter, StrategyValue
 
 if TYPE_CHECKING:
     from numpy.random import Generator

@@ -17,8 +17,8 @@ class Window(Value):
     """The mean of the last `size` rewards of each strategy, whenever it earned them.
 
     Benureau and Oudeyer 2015. What a strategy that is hardly ever chosen did long ago counts until
-    it is chosen again; `RecentWindow` and `Discounted` forget with time. The sum that a mean is made
-    of is exact before it is rounded once: it depends on nothing but what is in the window, and
+    it is chosen again; `RecentWindow` and `Discounted` forget with time. The sum that a mean is
+    made of is exact before it is rounded once: it depends on nothing but what is in the window, and
     never drifts.
 
     Parameters

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -10,11 +9,13 @@ from divbandit._checks import real
 from divbandit._value import Value
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy as np
     from numpy.typing import NDArray
 
-    from divbandit.history import History
     from divbandit._core import Trial
+    from divbandit.history import History
 
 
 @dataclass(frozen=True, init=False, repr=False)

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from divbandit._core import Trial
     from divbandit.bandits.rewards.protocol import RunningReward
     from divbandit.history import History
     from divbandit.measures import Measure, RunningMeasure
-    from divbandit._core import Trial
 
 
 @dataclass(frozen=True, init=False, repr=False)

@@ -8,8 +8,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from divbandit.history import History
     from divbandit._core import Trial
+    from divbandit.history import History
 
 
 @runtime_checkable

@@ -1,5 +1,8 @@
 """Every measure by what it is called in a test."""
 
+import copy
+import pickle
+
 import numpy as np
 
 from divbandit.measures import BallCoverage, Coverage, Entropy, GridCoverage, Sparseness
@@ -53,3 +56,10 @@ def clustered(dim, n=200, seed=0):
     effects = rng.uniform(-1, 1, (n, dim)) * rng.choice([0.05, 1.0], (n, 1))
     effects[n // 2 :: 7] = effects[0]
     return effects
+
+
+COPIES = {
+    "copy": copy.copy,
+    "deepcopy": copy.deepcopy,
+    "pickle": lambda value: pickle.loads(pickle.dumps(value)),  # noqa: S301
+}

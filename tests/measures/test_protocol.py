@@ -1,8 +1,6 @@
 """What holds for every measure, and for a user's."""
 
-import copy
 import math
-import pickle
 import threading
 
 import numpy as np
@@ -22,7 +20,7 @@ from divbandit.measures import (
     Sparseness,
 )
 from divbandit.measures.start import start_measure
-from tests.measures.every import NAMES, VALUES, clustered, specified, started
+from tests.measures.every import COPIES, NAMES, VALUES, clustered, specified, started
 
 # Multiples of a quarter meet borders of cells and each other; others lie anywhere.
 coordinate = st.integers(-8, 8).map(lambda k: k / 4) | st.floats(-2, 2)
@@ -32,13 +30,6 @@ effects = st.lists(st.tuples(*[coordinate] * 4), min_size=1, max_size=25)
 
 every = pytest.mark.parametrize("name", NAMES)
 every_value = pytest.mark.parametrize("name", VALUES)
-
-#: Ways to copy a value.
-COPIES = {
-    "copy": copy.copy,
-    "deepcopy": copy.deepcopy,
-    "pickle": lambda measure: pickle.loads(pickle.dumps(measure)),  # noqa: S301
-}
 
 
 def of(name, points):

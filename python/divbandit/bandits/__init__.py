@@ -10,7 +10,14 @@ paper's, `ucb1`, `sliding_window_ucb`, `discounted_ucb`, `discounted_adapt`, `di
 from divbandit.bandits.adapt import Adapt
 from divbandit.bandits.bandit import Bandit
 from divbandit.bandits.default import default_strategies, default_strategy
-from divbandit.bandits.estimators import Discounted, Estimator, RecentWindow, WholePast, Window
+from divbandit.bandits.estimators import (
+    Discounted,
+    Estimates,
+    Estimator,
+    RecentWindow,
+    WholePast,
+    Window,
+)
 from divbandit.bandits.policies import (
     UCB,
     EpsilonGreedy,
@@ -19,6 +26,7 @@ from divbandit.bandits.policies import (
     Policy,
     Proportional,
     RoundRobin,
+    RunningPolicy,
     Softmax,
     Thompson,
     Uniform,
@@ -30,7 +38,13 @@ from divbandit.bandits.published import (
     sliding_window_ucb,
     ucb1,
 )
-from divbandit.bandits.rewards import CompetenceProgress, FunctionReward, Gain, Reward
+from divbandit.bandits.rewards import (
+    CompetenceProgress,
+    FunctionReward,
+    Gain,
+    Reward,
+    RunningReward,
+)
 
 __all__ = [
     "UCB",
@@ -39,6 +53,7 @@ __all__ = [
     "CompetenceProgress",
     "Discounted",
     "EpsilonGreedy",
+    "Estimates",
     "Estimator",
     "Exp3",
     "Exp3S",
@@ -49,6 +64,8 @@ __all__ = [
     "RecentWindow",
     "Reward",
     "RoundRobin",
+    "RunningPolicy",
+    "RunningReward",
     "Softmax",
     "Thompson",
     "Uniform",

@@ -40,7 +40,7 @@ def ucb1(
     >>> from divbandit.bandits import ucb1
     >>> bandit = ucb1([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
     >>> bandit.estimator, bandit.policy
-    (WholePast(), UCB(2.0))
+    (WholePast(), UCB())
     >>> sorted(db.explore(db.PlanarArm(20), bandit, n=2, rng=0).choices.tolist())
     [0, 1]
     """
@@ -123,7 +123,7 @@ def discounted_ucb(
     >>> babblings = [db.MotorBabbling(), db.GoalBabbling(0.05)]
     >>> bandit = discounted_ucb(babblings, gamma=0.99, xi=0.5, tau=0.02)
     >>> bandit.estimator, bandit.policy  # 2 sqrt(xi) is sqrt(4 xi)
-    (Discounted(0.99), UCB(2.0))
+    (Discounted(0.99), UCB())
     """
     estimator, policy = Discounted(gamma), UCB(4.0 * UCB(xi).xi)
     return Bandit(strategies, estimator=estimator, policy=policy, tau=tau, reward=reward)

@@ -121,8 +121,8 @@ def read(path: str | os.PathLike[str], kind: type[Explorer], strategy: Strategy 
     except OtherwiseError as error:
         raise ValueError(
             f"strategy must be one that repeats what the saved one, {saved.name}, did, but "
-            f"{error}: it is another, depends on more than its observations and the generator, or the "
-            "generator was also drawn from elsewhere"
+            f"{error}: it is another, depends on more than its observations and the generator, or "
+            "the generator was also drawn from elsewhere"
         ) from error.__cause__
     explorer.rng.bit_generator.state = saved.state
     return explorer

@@ -24,7 +24,7 @@ def is_success(_, share):
 
 
 bandits = {
-    # A policy of MABWiser has estimates of its own; the estimator says what the run records.
+    # A policy of MABWiser keeps its own estimates; the estimator says what the run records.
     "epsilon-greedy": bandit(MabwiserPolicy(LearningPolicy.EpsilonGreedy(0.1)), WholePast()),
     "UCB1": bandit(MabwiserPolicy(LearningPolicy.UCB1(0.5)), WholePast()),
     "Thompson": bandit(MabwiserPolicy(LearningPolicy.ThompsonSampling(is_success)), WholePast()),

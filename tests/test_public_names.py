@@ -51,7 +51,7 @@ def members(item):
 
 
 def is_described(raw):
-    """Say whether it has a docstring of its own; fields are described in that of the class."""
+    """Say whether it must have a docstring; fields are described in that of the class."""
     return inspect.isroutine(raw) or isinstance(raw, (property, classmethod, staticmethod))
 
 

@@ -61,7 +61,8 @@ class _Writer:
     def write(self, value: object) -> Any:  # noqa: ANN401
         if value is None or isinstance(value, (bool, str, int, float)):
             return value
-        if isinstance(value, (list, tuple)):
+        # A named tuple is a part of its own kind, such as a policy of MABWiser.
+        if isinstance(value, (list, tuple)) and not hasattr(value, "_fields"):
             return [self.write(item) for item in value]
         if id(value) in self._numbers:
             return {"same as": self._numbers[id(value)]}

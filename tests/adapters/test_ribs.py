@@ -21,7 +21,7 @@ UNEVEN = db.FunctionEnvironment(
 
 
 def recording(archive, seed, log, *, ends=(0.0, 1.0), sigma0=0.2):
-    """Return an evolution strategy that writes down what it is told, six at a time."""
+    """Return an evolution strategy that writes down what it learns, six at a time."""
     dim = archive.solution_dim
     emitter = EvolutionStrategyEmitter(
         archive, x0=[0.5] * dim, sigma0=sigma0, bounds=[ends] * dim, batch_size=6, seed=seed

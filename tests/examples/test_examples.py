@@ -1,4 +1,4 @@
-"""Every example runs, in a process of its own with warnings as errors, and shows what it says."""
+"""Every example runs, in another process with warnings as errors, and shows what it says."""
 
 import os
 import re

@@ -33,7 +33,7 @@ def over_processes(
     Parameters
     ----------
     function : callable
-        With a name of its own in a module, so that processes find it.
+        Defined at the top of a module, so that processes find it.
     items : sequence
         Picklable.
     jobs : int, optional

@@ -198,7 +198,7 @@ def plain_kinematics(size):
 def count_draws(run):
     """Count an exploration's uniform numbers: 2 to choose, m for a command, s for a goal.
 
-    The first command has no goal, whichever strategy proposes it, as nothing is known to start from.
+    The first command has no goal, whichever strategy proposes it: nothing is known to start from.
     """
     goals = np.count_nonzero(run.choices[1:] == setting.LABELS.index("goal babbling"))
     return len(run) * (2 + run.commands.shape[1]) + int(goals) * run.effects.shape[1]

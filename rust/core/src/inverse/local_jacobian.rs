@@ -140,10 +140,12 @@ impl LocalJacobian {
             let (parent, shares) = (&parent[part.clone()], &shares[part.clone()]);
             for (squared, index) in &mut self.found {
                 let command = &observed.command(*index)[part.clone()];
+                let mut sum = *squared;
                 for ((x, at), share) in command.iter().zip(parent).zip(shares) {
                     let along = (x - at) * share;
-                    *squared += along * along;
+                    sum += along * along;
                 }
+                *squared = sum;
             }
         }
         self.near.clear();

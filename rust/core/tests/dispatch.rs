@@ -92,8 +92,8 @@ fn adapt(arm: PlanarArm, d: f64) -> Log {
     let goals = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
     let mut strategies = Composition::default();
     let motor = strategies.add(MotorBabbling);
-    let (goals, inverse) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
-    let goal = strategies.add(GoalBabbling::new(Box::new(goals), Box::new(inverse)));
+    let (uniform, nearest) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
+    let goal = strategies.add(GoalBabbling::new(Box::new(uniform), Box::new(nearest)));
     let bandit = Adapt::new(2, Coverage::new(0.02, 2).unwrap(), 50, 0.1, 1).unwrap();
     let root = strategies.compose(bandit, vec![motor, goal]).unwrap();
     let history = History::new(motor_space, Some(goals), 2, true).unwrap();

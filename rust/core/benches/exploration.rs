@@ -37,8 +37,8 @@ fn adapt(d: f64, n: usize, keep_commands: bool) -> Exploration {
     let space = Bounds::new(vec![-LIMIT; JOINTS], vec![LIMIT; JOINTS]).unwrap();
     let goals = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
     let mut strategies = Composition::default();
-    let (goals, inverse) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
-    let babbling = GoalBabbling::new(Box::new(goals), Box::new(inverse));
+    let (uniform, nearest) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
+    let babbling = GoalBabbling::new(Box::new(uniform), Box::new(nearest));
     let parts = vec![strategies.add(MotorBabbling), strategies.add(babbling)];
     let bandit = Adapt::new(2, Coverage::new(TAU, 2).unwrap(), WINDOW, 0.1, 1).unwrap();
     let root = strategies.compose(bandit, parts).unwrap();

@@ -61,7 +61,7 @@ proptest! {
     #[test]
     fn without_perturbation_the_parent_returns(m in 1..=20_usize, n in 1..60_usize, seed: u64) {
         let mut stream = Stream(seed);
-        let Known { space, effects, mut history, commands } = known(m, n, &mut stream);
+        let Known { effects, mut history, commands, .. } = known(m, n, &mut stream);
         let i = stream.below(n);
         let first = effects.iter().position(|effect| *effect == effects[i]).unwrap();
         let mut unit = || stream.unit();

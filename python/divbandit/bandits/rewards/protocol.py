@@ -74,6 +74,11 @@ class Reward(Protocol):
         ----------
         dim : int
             Dimension of the effects.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> reward = db.bandits.CompetenceProgress().start(2)
         """
 
 
@@ -82,6 +87,15 @@ class RunningReward(Protocol):
 
     What it remembers from one effect to the next should follow from the history alone: a nested
     bandit is asked about its own trials only.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> history = db.History(db.Box([0], [1]))
+    >>> history.append([0.5], [3.0, 4.0])
+    >>> gain = db.bandits.Gain(db.measures.GridCoverage(1.0)).start(2)
+    >>> gain.of(db.Trial([0.5]), history.effects[0], history)
+    1.0
     """
 
     def of(self, trial: Trial, effect: NDArray[np.float64], history: History, /) -> float:
@@ -98,4 +112,13 @@ class RunningReward(Protocol):
         -------
         float
             Finite, and within 1e300 of 0.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> history = db.History(db.Box([0], [1]))
+        >>> history.append([0.5], [3.0, 4.0])
+        >>> progress = db.bandits.CompetenceProgress().start(2)
+        >>> progress.of(db.Trial([0.5], goal=[3, 3]), history.effects[0], history)
+        0.0
         """

@@ -42,12 +42,19 @@ def write(
 
 
 def read(
-    path: PathLike, kind: str, version: int, build: Callable[[Arrays], Built], *, writer: str
+    path: PathLike,
+    kind: str,
+    version: int,
+    build: Callable[[Arrays], Built],
+    *,
+    writer: str,
+    earlier: dict[int, str | None] | None = None,
 ) -> Built:
     """Return what `build` makes of the arrays of a file that `write` wrote.
 
-    Whatever else the file is, and whatever `build` finds wrong, becomes a ValueError that names
-    the file and what should have written it.
+    Of `earlier` versions `build` reads those with None, too; the text of another says what to do
+    with its files. Whatever else the file is, and whatever `build` finds wrong, becomes a
+    ValueError that names the file and what should have written it.
     """
     with Path(path).open("rb") as file:
         try:
@@ -56,7 +63,7 @@ def read(
             file.seek(0)
             with np.load(file, allow_pickle=False) as saved:
                 arrays = dict(saved.items())
-            _check_format(arrays, kind, version)
+            _check_format(arrays, kind, version, earlier or {})
             return build(arrays)
         except Exception as error:  # a damaged file can break its readers in any way
             raise ValueError(
@@ -64,12 +71,14 @@ def read(
             ) from error
 
 
-def _check_format(arrays: Arrays, kind: str, version: int) -> None:
+def _check_format(arrays: Arrays, kind: str, version: int, earlier: dict[int, str | None]) -> None:
     if "format" not in arrays:
         raise ValueError("it does not say its format")
     name, got, *names = (str(word) for word in arrays["format"])
-    if name != kind or int(got) != version:
-        raise ValueError(f"format must be {kind!r} {version}, got {name!r} {got}")
+    advice = earlier.get(int(got), "") if name == kind and int(got) != version else None
+    if name != kind or advice is not None:
+        advice = f"; {advice}" if advice else ""
+        raise ValueError(f"format must be {kind!r} {version}, got {name!r} {got}{advice}")
     if {"format", *names} != set(arrays):
         raise ValueError(f"arrays must be {names}, got {sorted(arrays)}")
 

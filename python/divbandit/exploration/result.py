@@ -242,7 +242,14 @@ class Exploration:
             ...
         FileNotFoundError: [Errno 2] No such file or directory: 'missing.npz'
         """
-        return _files.read(path, _FORMAT, _VERSION, cls._from_arrays, writer="Exploration.save")
+        return _files.read(
+            path,
+            _FORMAT,
+            _VERSION,
+            cls._from_arrays,
+            writer="Exploration.save",
+            earlier={1: None},
+        )
 
     @classmethod
     def _from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Exploration:
@@ -260,8 +267,9 @@ class Exploration:
             _files.array(arrays, "commands", np.float64, (n, motor_space.dim))
         width = None if sensory_space is None else sensory_space.dim
         estimates = None
-        if "estimates" in arrays:
-            estimates = _files.array(arrays, "estimates", np.float64, (n, None))
+        for name in ("estimates", "diversities"):  # the latter in the first version
+            if name in arrays:
+                estimates = _files.array(arrays, name, np.float64, (n, None))
         return cls(
             motor_space,
             sensory_space,

@@ -28,6 +28,12 @@ if TYPE_CHECKING:
 _FORMAT = "divbandit explorer"
 _VERSION = 2
 
+#: What to do with files of the first version, whose strategies had other parts.
+_FIRST_VERSION = (
+    "go on from what it observed: read its commands and effects with numpy.load, and give them to "
+    "explorer.add_past"
+)
+
 #: The bit generators whose state a file can hold.
 _BIT_GENERATORS = {
     kind.__name__: kind
@@ -107,7 +113,9 @@ def write(
 
 def read(path: str | os.PathLike[str], kind: type[Explorer], strategy: Strategy | None) -> Explorer:
     """Return the explorer that was written, in the state that it was in."""
-    saved = _files.read(path, _FORMAT, _VERSION, _from_arrays, writer="Explorer.save")
+    saved = _files.read(
+        path, _FORMAT, _VERSION, _from_arrays, writer="Explorer.save", earlier={1: _FIRST_VERSION}
+    )
     if strategy is None:
         if saved.strategy is None:
             raise ValueError(

@@ -336,7 +336,7 @@ def _asked(emitter: EmitterBase) -> Batch:
 
 
 def _standing(report: Report) -> tuple[float, float, float]:
-    """Return what tells better from worse among the solutions of a batch."""
+    """Return what the solutions of a batch are ordered by: the least is the worst."""
     status = report.added["status"][0]
     value = report.added.get("value", np.array([report.objective]))[0]
     return float(status), float(value), report.objective

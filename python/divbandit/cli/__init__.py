@@ -92,7 +92,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_options(parser: argparse.ArgumentParser, *, out: str, jobs: str) -> None:
-    """Add what all commands can be told."""
+    """Add the options that all commands have."""
     parser.add_argument(
         "--out", default=out, metavar="DIR", help=f"where to put the files (default: {out})"
     )

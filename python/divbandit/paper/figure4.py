@@ -1,4 +1,4 @@
-"""Figure 4: what every fixed mixture reaches, and ADAPT beside them without being told."""
+"""Figure 4: the diversity that each fixed mixture reaches, and ADAPT beside them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cases: what is explored again and again, and the coverages that it reaches."""
+"""Cases: explorations that are repeated with other seeds, and the coverages that they reach."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 def explored(
     environment: Environment,
-    strategy: Any,  # noqa: ANN401 - what another method takes need be no strategy
+    strategy: Any,  # noqa: ANN401 - other methods take other things
     n: int,
     rng: SeedSequence,
 ) -> NDArray[np.float64]:
@@ -51,7 +51,7 @@ class Case:
     ----------
     strategy : Strategy, or what `method` takes for one
     at : tuple of int
-        After which steps to tell the coverage; the last is the length of the exploration.
+        After which steps to measure the coverage; the last is the length of the exploration.
     place : tuple of int
         The place among all, from which the seed of each repetition comes.
     method : callable
@@ -84,12 +84,12 @@ class Outcome:
 
     @property
     def means(self) -> NDArray[np.float64]:
-        """The mean after each step told, shape (k,)."""
+        """The mean after each of the steps, shape (k,)."""
         return np.asarray(self.values.mean(axis=0))
 
     @property
     def deviations(self) -> NDArray[np.float64]:
-        """The population standard deviation after each step told, shape (k,)."""
+        """The population standard deviation after each of the steps, shape (k,)."""
         return np.asarray(self.values.std(axis=0))
 
     @property

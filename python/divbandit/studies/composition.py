@@ -103,7 +103,7 @@ def explorations(repetitions: int) -> int:
 
 
 def draw(rows: Sequence[Row]) -> dict[str, Figure]:
-    """Draw a panel for each number of steps told and in it a row for each composition."""
+    """Draw a panel for each number of steps, and in it a row for each composition."""
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
     figure, axes = plt.subplots(1, 3, figsize=(style.PAGE, 2.3), sharey=True)

@@ -66,7 +66,7 @@ PAPER = Contender("ADAPT", Window(50, head_start=1), Proportional(0.1))
 DISCOUNTED = Contender(
     "discounted ADAPT", Discounted(0.99, head_start=1), Proportional(0.05, power=8.0)
 )
-#: What the library recommends, by the study of rules.
+#: The closest to the best mixtures in the study of rules.
 GREEDY = Contender("discounted greedy", Discounted(0.995, head_start=1), EpsilonGreedy(0.02))
 SLIDING = Contender("SW-UCB, small bonus", RecentWindow(1000), UCB(0.6 * _SMALL))
 FADING = Contender("D-UCB, small bonus", Discounted(0.999), UCB(0.6 * _SMALL))
@@ -95,5 +95,5 @@ CONTENDERS = (
     UNIFORM,
 )
 
-#: Those that are taken to many strategies.
+#: Those that are compared over many strategies.
 RIVALS = (PAPER, DISCOUNTED, GREEDY, SLIDING, FADING, THOMPSON, EXP3S, ROUND_ROBIN, UNIFORM)

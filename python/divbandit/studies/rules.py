@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 NAME = "rules"
 
-#: By how much the recommended bandit may stay below the best mixture.
+#: How far below the best mixture a good bandit may stay.
 ALLOWED = 0.015
 
 _MIXTURE, _HINDSIGHT = "mixture", "hindsight"

@@ -1,51 +1,41 @@
-"""Compositions drawn at random: built-in strategies, nested, with shared parts and used ones."""
+"""Compositions drawn at random of all the library's own parts, nested, with shared parts."""
 
 import numpy as np
 from hypothesis import strategies as st
 
 import divbandit as db
+from divbandit import bandits, goals, inverse, measures
 
 #: How deep composites nest; a single strategy is 0 deep.
-DEEPEST = 4
+DEEPEST = 3
 
 SHARES = st.one_of(st.sampled_from([0, 1e-3, 0.05, 0.5, 1]), st.floats(0, 1))
+STRICT_SHARES = st.sampled_from([1e-3, 0.1, 0.5, 0.99])
 WEIGHTS = st.one_of(st.sampled_from([0.0, 1e-300, 0.3, 1.0, 1e300]), st.floats(0, 10))
 TAUS = st.one_of(st.sampled_from([1e-3, 0.02, 0.1, 10.0]), st.floats(-3, 1).map(lambda x: 10.0**x))
+POWERS = st.sampled_from([0.0, 0.5, 1.0, 1.0, 1.0, 3.0, 8.0])
+COUNTS = st.integers(1, 12)
 CORNERS = st.one_of(st.sampled_from([0.0, -0.0, 1.0, 1e6, -1e9, 1e200]), st.floats(-2, 2))
 WIDTHS = st.one_of(st.sampled_from([0.0, 1e-9, 1e6]), st.floats(0, 3))
 
 
 @st.composite
-def planes(draw):
-    """Draw a box in the plane: around the arm, far away, or flat."""
-    low = [draw(CORNERS), draw(CORNERS)]
+def boxes(draw, dim=2):
+    """Draw a box of effects: around those that there are, far away, or flat."""
+    if draw(st.booleans()):
+        return db.Box([-1.0] * dim, [1.0] * dim)
+    low = [draw(CORNERS) for _ in range(dim)]
     return db.Box(low, [corner + draw(WIDTHS) for corner in low])
 
 
 @st.composite
-def compositions(draw, *, needs_goals=False):
-    """Draw a strategy; with `needs_goals` all goal babbling in it has goals of its own.
+def compositions(draw, *, dim=2, needs_goals=False):
+    """Draw a strategy for effects of `dim` dimensions.
 
-    A part may be the very same object as another one, whose state it then shares. A schedule may
-    have proposed before, and the whole may have explored another arm.
+    With `needs_goals` all goal babbling in it has goals of its own. A part may be the very same
+    object as another one, whose state it then shares.
     """
-    strategy = _part(draw, DEEPEST, needs_goals, [])
-    if draw(st.integers(0, 4)) == 0:
-        _use(strategy, draw(st.integers(1, 40)))
-    return strategy
-
-
-def _part(draw, deepest, needs_goals, made):
-    """Draw a strategy at most `deepest` deep, perhaps one of those made so far."""
-    known = [part for part, depth in made if depth <= deepest]
-    if known and draw(st.integers(0, 4)) == 0:
-        return draw(st.sampled_from(known))
-    kinds = [_motor_babbling, _goal_babbling]
-    if deepest > 0:
-        kinds = [_adapt, _adapt, _mixture, _schedule, *kinds]
-    part = draw(st.sampled_from(kinds))(draw, deepest, needs_goals, made)
-    made.append((part, depth_of(part)))
-    return part
+    return _Drawing(draw, dim, needs_goals=needs_goals).part(DEEPEST)
 
 
 def depth_of(strategy):
@@ -53,60 +43,173 @@ def depth_of(strategy):
     return 1 + max(map(depth_of, strategy.strategies)) if hasattr(strategy, "strategies") else 0
 
 
-def _parts(draw, deepest, needs_goals, made):
-    return [_part(draw, deepest - 1, needs_goals, made) for _ in range(draw(st.integers(1, 4)))]
+class _Drawing:
+    """The draw of one composition: what is known of it so far."""
 
+    def __init__(self, draw, dim, *, needs_goals):
+        self.draw, self.dim, self.needs_goals = draw, dim, needs_goals
+        self.made = []  # strategies, with their depths
+        self.shared = {}  # rewards, samplers and others by kind
 
-def _motor_babbling(draw, deepest, needs_goals, made):
-    del draw, deepest, needs_goals, made
-    return db.MotorBabbling()
+    def one_of(self, *values):
+        return self.draw(st.sampled_from(values))
 
+    def maybe_shared(self, kind, make):
+        """Draw a part, perhaps one that stands elsewhere already."""
+        known = self.shared.setdefault(kind, [])
+        if known and self.one_of(True, False, False):
+            return self.one_of(*known)
+        known.append(make())
+        return known[-1]
 
-def _goal_babbling(draw, deepest, needs_goals, made):
-    del deepest, made
-    goals = draw(planes()) if needs_goals or draw(st.booleans()) else None
-    return db.GoalBabbling(draw(SHARES), goals=goals)
+    def part(self, deepest):
+        """Draw a strategy at most `deepest` deep."""
+        known = [part for part, depth in self.made if depth <= deepest]
+        if known and self.one_of(True, False, False, False, False):
+            return self.one_of(*known)
+        makers = [self.motor_babbling, self.goal_babbling, self.goal_babbling]
+        if deepest > 0:
+            composed = [self.adapt, self.bandit, self.bandit, self.named]
+            makers = [*composed, self.mixture, self.schedule, *makers]
+        part = self.one_of(*makers)(deepest)
+        self.made.append((part, depth_of(part)))
+        return part
 
+    def parts(self, deepest):
+        return [self.part(deepest - 1) for _ in range(self.one_of(1, 2, 2, 3))]
 
-def _mixture(draw, *limits):
-    parts = _parts(draw, *limits)
-    if draw(st.booleans()):
-        return db.Mixture(parts)
-    weights = [draw(WEIGHTS) for _ in parts]
-    if not any(weights):
-        weights[draw(st.integers(0, len(parts) - 1))] = 1.0
-    return db.Mixture(parts, weights=weights)
+    def motor_babbling(self, _):
+        return db.MotorBabbling()
 
+    def goal_babbling(self, _):
+        if self.one_of(True, False, False):
+            box = self.draw(boxes(self.dim)) if self.needs_goals else None
+            return db.GoalBabbling(self.draw(SHARES), goals=box)
+        sampler = self.maybe_shared("goals", self.sampler)
+        return db.GoalBabbling(goals=sampler, inverse=self.maybe_shared("inverse", self.model))
 
-def _schedule(draw, *limits):
-    parts = _parts(draw, *limits)
-    steps = [draw(st.integers(1, 20)) for _ in parts]
-    if draw(st.booleans()):
-        steps[-1] = None
-    schedule = db.Schedule(zip(steps, parts, strict=True))
-    if draw(st.booleans()):
-        for _ in range(draw(st.integers(1, 30))):
-            schedule.choose(None, None)
-    return schedule
+    def sampler(self):
+        own = self.needs_goals or self.one_of(True, False)
+        box = self.draw(boxes(self.dim)) if own else None
+        kind = self.one_of(*goals.__all__)
+        tau = self.draw(TAUS)
+        if kind == "UncoveredGoals":
+            return goals.UncoveredGoals(tau, tries=self.draw(COUNTS), box=box)
+        if kind == "FrontierGoals":
+            return goals.FrontierGoals(tau, box=box)
+        if kind == "NovelGoals":
+            return goals.NovelGoals(self.draw(COUNTS), box=box)
+        if kind == "UntriedGoals":
+            numbers = {"candidates": self.draw(COUNTS), "tries": self.draw(COUNTS)}
+            return goals.UntriedGoals(tau, reach=self.one_of(1, 4, 1e6), box=box, **numbers)
+        if kind == "GridGoals":
+            cells = [self.one_of(1, 2, 5) for _ in range(self.dim)]
+            return goals.GridGoals(self.one_of(3, tuple(cells)), box=box)
+        return goals.UniformGoals(box)
 
+    def model(self):
+        k, d, ridge = self.draw(COUNTS), self.draw(SHARES), self.one_of(1e-9, 1e-3, 1.0)
+        kind = self.one_of("Nearest", "KNearest", "LocalRegression", "LocalJacobian")
+        if kind == "Nearest":
+            return inverse.Nearest(d)
+        if kind == "KNearest":
+            return inverse.KNearest(k, d)
+        if kind == "LocalRegression":
+            return inverse.LocalRegression(k, d, ridge=ridge, reach=self.one_of(0.1, 1.0, 50.0))
+        options = {"ridge": ridge, "reach": d, "noise": self.draw(SHARES)}
+        return inverse.LocalJacobian(self.one_of(k, 50), self.draw(COUNTS), **options)
 
-def _adapt(draw, *limits):
-    parts = _parts(draw, *limits)
-    window, tau = draw(st.integers(1, 60)), draw(TAUS)
-    by = {"measure": db.Coverage(tau)} if draw(st.integers(0, 3)) == 0 else {"tau": tau}
-    head_start = draw(st.one_of(st.sampled_from([0, 1, window]), st.integers(0, window)))
-    power = draw(st.sampled_from([1.0, 1.0, 1.0, 0.0, 0.5, 3.0]))
-    return db.Adapt(
-        parts, window=window, alpha=draw(SHARES), head_start=head_start, power=power, **by
-    )
+    def mixture(self, deepest):
+        parts = self.parts(deepest)
+        if self.one_of(True, False):
+            return db.Mixture(parts)
+        weights = [self.draw(WEIGHTS) for _ in parts]
+        if not any(weights):
+            weights[self.draw(st.integers(0, len(parts) - 1))] = 1.0
+        return db.Mixture(parts, weights=weights)
 
+    def schedule(self, deepest):
+        parts = self.parts(deepest)
+        steps = [self.draw(st.integers(1, 20)) for _ in parts]
+        if self.one_of(True, False):
+            steps[-1] = None
+        return db.Schedule(zip(steps, parts, strict=True))
 
-def _use(strategy, steps):
-    """Let it propose and observe in another history: its schedules go on, its bandits learn."""
-    arm, rng = db.PlanarArm(2), np.random.default_rng(0)
-    history = db.History(arm.motor_space, arm.sensory_space)
-    for _ in range(steps):
-        trial = strategy.propose(history, rng)
-        effect = arm(trial.command)
-        history.append(trial.command, effect, path=trial.path)
-        strategy.observe(trial, effect)
+    def adapt(self, deepest):
+        window = self.draw(st.integers(1, 60))
+        return db.Adapt(
+            self.parts(deepest),
+            window=window,
+            alpha=self.draw(SHARES),
+            head_start=self.draw(st.sampled_from([0, 1, window])),
+            power=self.draw(POWERS),
+            **self.rewarded(),
+        )
+
+    def bandit(self, deepest):
+        estimator = self.maybe_shared("estimator", self.estimator)
+        policy = self.maybe_shared("policy", self.policy)
+        parts = self.parts(deepest)
+        return db.Bandit(parts, estimator=estimator, policy=policy, **self.rewarded())
+
+    def named(self, deepest):
+        parts, by = self.parts(deepest), self.rewarded()
+        gamma = self.draw(STRICT_SHARES)
+        makers = (
+            lambda: bandits.ucb1(parts, **by),
+            lambda: bandits.sliding_window_ucb(parts, window=self.draw(COUNTS), **by),
+            lambda: bandits.discounted_ucb(parts, gamma=gamma, **by),
+            lambda: bandits.discounted_adapt(parts, gamma=gamma, **by),
+            lambda: bandits.discounted_greedy(parts, gamma=gamma, **by),
+            self.default,
+        )
+        return self.one_of(*makers)()
+
+    def default(self):
+        box = self.draw(boxes(self.dim)) if self.needs_goals else None
+        return db.default_strategy(self.draw(TAUS), goals=box)
+
+    def rewarded(self):
+        """Draw what strategies are rewarded for."""
+        if self.one_of(True, False, False):
+            return {"tau": self.draw(TAUS)}
+        return {"reward": self.maybe_shared("reward", self.reward)}
+
+    def reward(self):
+        if self.one_of(True, False, False):
+            return bandits.CompetenceProgress()
+        return bandits.Gain(self.maybe_shared("measure", self.measure))
+
+    def measure(self):
+        kind = self.one_of("BallCoverage", "GridCoverage", "Sparseness", "Entropy")
+        if kind == "BallCoverage":  # coarse where it has to be estimated
+            return measures.BallCoverage(self.draw(TAUS), accuracy=self.one_of(0.05, 0.2))
+        if kind == "Sparseness":
+            return measures.Sparseness(self.draw(COUNTS))
+        cell = self.one_of(0.1, [self.one_of(0.05, 0.3, 2.0) for _ in range(self.dim)])
+        origin = self.one_of(0.0, 0.07, np.linspace(-1, 1, self.dim))
+        cells = measures.GridCoverage if kind == "GridCoverage" else measures.Entropy
+        return cells(cell, origin=origin)
+
+    def estimator(self):
+        size, gamma = self.draw(st.integers(1, 60)), self.draw(STRICT_SHARES)
+        return self.one_of(
+            bandits.Window(size, head_start=self.one_of(0, 1, size)),
+            bandits.RecentWindow(size),
+            bandits.Discounted(gamma, head_start=self.one_of(0, 1, 3)),
+            bandits.WholePast(),
+        )
+
+    def policy(self):
+        share, strict = self.draw(SHARES), self.draw(STRICT_SHARES)
+        return self.one_of(
+            bandits.Proportional(share, power=self.draw(POWERS)),
+            bandits.EpsilonGreedy(share),
+            bandits.Softmax(self.draw(TAUS), scaled=self.one_of(True, False)),
+            bandits.UCB(self.one_of(0.0, 0.6, 2.0)),
+            bandits.Thompson(),
+            bandits.Exp3(strict),
+            bandits.Exp3S(strict, self.one_of(1e-3, 0.1)),
+            bandits.RoundRobin(),
+            bandits.Uniform(),
+        )

@@ -1,6 +1,6 @@
 """Whether two runs are the same, bit by bit, and where they part if they are not."""
 
-ARRAYS = ("commands", "effects", "paths", "diversities", "choices")
+ARRAYS = ("commands", "effects", "paths", "estimates", "choices")
 
 
 def differences(run, other):
@@ -20,4 +20,25 @@ def differences(run, other):
         elif one.tobytes() != two.tobytes():
             step = next(i for i in range(len(one)) if one[i].tobytes() != two[i].tobytes())
             found.append(f"{name}: from step {step} on, {one[step]!r} and {two[step]!r}")
+    one, two = ([(f.command.tolist(), *f[1:]) for f in each.failures] for each in (run, other))
+    if one != two:
+        found.append(f"failures: {one} and {two}")
     return found
+
+
+def everything(explorer):
+    """Return all that an explorer is and has been, comparable with ==."""
+    run = explorer.result()
+    return (
+        run.commands.tobytes(),
+        run.effects.tobytes(),
+        run.paths.tolist(),
+        None if run.estimates is None else run.estimates.tobytes(),
+        explorer.estimates,
+        [(f.command.tolist(), *f[1:]) for f in run.failures],
+        [
+            (t.number, list(t.command), t.path, t.probability, None if t.goal is None else list(t.goal))
+            for t in explorer.open_trials
+        ],
+        str(explorer.rng.bit_generator.state),
+    )

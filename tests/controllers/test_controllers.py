@@ -30,7 +30,7 @@ def last_two(seen):
 
 def tracking(primitives=None, **options):
     usual = {"dt": 0.5, "stiffness": 2.0, "damping": 0.25}
-    return db.Tracking(primitives or Ramp(), first_two, last_two, **usual | options)
+    return db.controllers.Tracking(primitives or Ramp(), first_two, last_two, **usual | options)
 
 
 def pure(errors, speeds, stiffness, damping):
@@ -71,7 +71,7 @@ def test_actions_are_limited_either_way():
 def test_a_body_without_friction_follows():
     """A mass of 1 on each joint, integrated in small steps, ends where it is led."""
     points = ViaPoints([-1, -1], [1, 1], steps=50, points=2)
-    pd = db.Tracking(points, first_two, last_two, dt=0.1, stiffness=40.0, damping=12.0)
+    pd = db.controllers.Tracking(points, first_two, last_two, dt=0.1, stiffness=40.0, damping=12.0)
     command = np.array([0.5, -0.5, -0.75, 0.25])
     act, q, v = pd.begin(command), np.zeros(2), np.zeros(2)
     for step in range(60):
@@ -103,7 +103,7 @@ def test_turns_are_counted(way):
 
 def test_turns_begin_nearest_to_the_start():
     points = ViaPoints([-9], [9], steps=4, start=[6.5])
-    pd = db.Tracking(
+    pd = db.controllers.Tracking(
         points,
         lambda seen: seen[:1],
         lambda seen: seen[1:],
@@ -127,17 +127,19 @@ def test_episodes_of_one_controller_do_not_disturb_each_other():
 
 
 def test_open_loop_plays_rows_and_stays_at_the_last():
-    act = db.OpenLoop(Ramp()).begin(np.array([1.0, -2.0]))
+    act = db.controllers.OpenLoop(Ramp()).begin(np.array([1.0, -2.0]))
     played = [act(step, "not looked at").tolist() for step in range(5)]
     assert played == [[0, 0], [0.5, -1], [1, -2], [1, -2], [1, -2]]
 
 
 def test_a_function_gets_command_step_and_observation():
     given = []
-    controller = db.FunctionController(lambda *all_: given.append(all_), db.Box([0], [1]))
+    controller = db.controllers.FunctionController(
+        lambda *all_: given.append(all_), db.Box([0], [1])
+    )
     controller.begin("command")(7, "observation")
     assert given == [("command", 7, "observation")]
-    assert isinstance(controller, db.Controller)
+    assert isinstance(controller, db.controllers.Controller)
 
 
 def test_via_points_goes_through_them_and_rests_there():
@@ -167,7 +169,9 @@ def test_via_points_of_many_commands():
     assert points.trajectory(commands[:0]).shape == (0, 8, 2)
 
 
-@pytest.mark.parametrize("make", [tracking, db.OpenLoop, lambda p: tracking(p, turns=True)])
+@pytest.mark.parametrize(
+    "make", [tracking, db.controllers.OpenLoop, lambda p: tracking(p, turns=True)]
+)
 @pytest.mark.parametrize(
     ("rows", "error", "says"),
     [
@@ -209,7 +213,7 @@ def test_readings_must_be_callable_and_fit():
     for name in ("positions", "velocities"):
         readings = {"positions": first_two, "velocities": last_two} | {name: 3}
         with pytest.raises(TypeError, match=f"{name} must be callable, got int"):
-            db.Tracking(Ramp(), **readings, dt=1, stiffness=1, damping=1)
+            db.controllers.Tracking(Ramp(), **readings, dt=1, stiffness=1, damping=1)
     act = tracking().begin(np.zeros(2))
     with pytest.raises(ValueError, match="positions"):
         act(0, np.zeros(1))
@@ -229,9 +233,13 @@ def test_readings_must_be_callable_and_fit():
         (lambda: ViaPoints([0], [1], steps=3, points=4), ValueError, "points must be from 1 to 3"),
         (lambda: ViaPoints([0], [1], steps=3, start=[0, 0]), ValueError, "start"),
         (lambda: ViaPoints([0], [1], steps=3).trajectory([2]), ValueError, "command"),
-        (lambda: db.FunctionController(3, db.Box([0], [1])), TypeError, "f must be callable"),
-        (lambda: db.FunctionController(abs, 3), TypeError, "motor_space"),
-        (lambda: db.OpenLoop(None), TypeError, "primitives must have"),
+        (
+            lambda: db.controllers.FunctionController(3, db.Box([0], [1])),
+            TypeError,
+            "f must be callable",
+        ),
+        (lambda: db.controllers.FunctionController(abs, 3), TypeError, "motor_space"),
+        (lambda: db.controllers.OpenLoop(None), TypeError, "primitives must have"),
     ],
 )
 def test_other_wrong_arguments(call, error, says):
@@ -241,7 +249,7 @@ def test_other_wrong_arguments(call, error, says):
 
 @pytest.mark.parametrize(
     "controller",
-    [tracking(limit=0.5, turns=True), db.OpenLoop(Ramp())],
+    [tracking(limit=0.5, turns=True), db.controllers.OpenLoop(Ramp())],
     ids=lambda c: type(c).__name__,
 )
 def test_they_are_pickled(controller):
@@ -252,7 +260,11 @@ def test_they_are_pickled(controller):
 
 
 def test_primitives_of_the_library_make_trajectories():
-    for primitives in (db.MovementPrimitives(2), ViaPoints([0, 0], [1, 1], steps=3), Ramp()):
-        assert isinstance(primitives, db.Trajectories)
-        assert isinstance(tracking(primitives), db.Controller)
+    for primitives in (
+        db.controllers.MovementPrimitives(2),
+        ViaPoints([0, 0], [1, 1], steps=3),
+        Ramp(),
+    ):
+        assert isinstance(primitives, db.controllers.Trajectories)
+        assert isinstance(tracking(primitives), db.controllers.Controller)
         assert tracking(primitives).motor_space == primitives.motor_space

@@ -83,18 +83,18 @@ def _obstacle(rng, place):
     size = _powers(rng, 1e-4, 0.08)
     match rng.integers(5):
         case 0:
-            return db.Disc(place, size)
+            return db.environments.Disc(place, size)
         case 1:
             half = size * rng.uniform(0.1, 1.0, 2)
-            return db.Rectangle(place - half, place + half)
+            return db.environments.Rectangle(place - half, place + half)
         case 2:
-            return db.Polygon(place + size * _star(rng))
+            return db.environments.Polygon(place + size * _star(rng))
         case 3:
-            return db.Polygon(place + size * _pocket(rng))
+            return db.environments.Polygon(place + size * _pocket(rng))
     angle = rng.uniform(0, 2 * np.pi)
     half = size * np.array([np.cos(angle), np.sin(angle)])
     thickness = rng.choice([0.0, 1e-6, _powers(rng, 1e-5, 0.05)])
-    return db.Wall(place - half, place + half, thickness=thickness)
+    return db.environments.Wall(place - half, place + half, thickness=thickness)
 
 
 def _star(rng):

@@ -47,11 +47,11 @@ def last(episode):
     return episode.observations[-1]
 
 
-HOLD = db.FunctionController(hold, db.Box([-1, -1], [1, 1]))
+HOLD = db.controllers.FunctionController(hold, db.Box([-1, -1], [1, 1]))
 
 
 def cart(**options):
     """Return the cart as a black box."""
-    return db.GymnasiumEnvironment(
+    return db.environments.GymnasiumEnvironment(
         **{"make": Cart, "controller": HOLD, "effect": last, "steps": 8, "seed": 3} | options
     )

@@ -11,7 +11,7 @@ from tests.environments.random_scenes import among, scene
 from tests.reference import contact
 
 #: A wall above the arm; the tip of one link meets it at this angle.
-WALL = db.Wall([-2, 0.8], [2, 0.8])
+WALL = db.environments.Wall([-2, 0.8], [2, 0.8])
 MEETS = math.asin(0.8 - 0.005)
 
 
@@ -88,7 +88,7 @@ def test_it_stays_where_it_was_stopped():
 
 def test_via_points_lead_round_an_obstacle():
     """Folded, the arm turns past a post that the outstretched arm does not pass."""
-    post = db.Disc([0, 0.8], 0.05)
+    post = db.environments.Disc([0, 0.8], 0.05)
     arm = db.PlanarArm(2, limit=3.0, obstacles=[post])
     goal = [2.5, 0.0]
     free = db.PlanarArm(2, limit=3.0)

@@ -28,7 +28,7 @@ BODIES = {"reacher": "fingertip", "pusher": "object"}
 
 
 def primitives(dofs, steps, goals):
-    return db.MovementPrimitives(dofs, basis=4, steps=steps, weights=1.5, goals=goals)
+    return db.controllers.MovementPrimitives(dofs, basis=4, steps=steps, weights=1.5, goals=goals)
 
 
 EXPLORED = MAKES | {

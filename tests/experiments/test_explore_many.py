@@ -11,7 +11,7 @@ from tests.generators import state
 
 ARM = db.PlanarArm(5)
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], window=10)
-SHORT = db.Task(ARM, ADAPT, n=30)
+SHORT = db.experiments.Task(ARM, ADAPT, n=30)
 
 
 class Backwards(db.Strategy):
@@ -47,7 +47,7 @@ def test_the_same_bits_as_a_plain_loop(jobs):
     """All share one environment, and each strategy is shared by two tasks of other lengths."""
     strategies = [*compositions().values(), Backwards()]
     tasks = [
-        db.Task(ARM, strategy, n, rng=seed)
+        db.experiments.Task(ARM, strategy, n, rng=seed)
         for n in (120, 40)
         for seed, strategy in enumerate(strategies)
     ]
@@ -60,7 +60,7 @@ def test_an_environment_in_python_shared_by_threads(jobs):
     square = db.FunctionEnvironment(
         lambda x: x**2, db.Box([-1, -1], [1, 1]), db.Box([0, 0], [1, 1])
     )
-    tasks = [*db.Task(square, ADAPT, n=50).over(range(12))]
+    tasks = [*db.experiments.Task(square, ADAPT, n=50).over(range(12))]
     plain = [bits(db.explore(square, ADAPT, n=50, rng=seed)) for seed in range(12)]
     assert explored(tasks, jobs=jobs) == plain
 
@@ -119,8 +119,8 @@ def test_they_come_as_they_finish():
         return x
 
     box = db.Box([0], [1])
-    waiting = db.Task(db.FunctionEnvironment(patient, box), db.MotorBabbling(), n=1)
-    quick = db.Task(db.FunctionEnvironment(lambda x: x, box), db.MotorBabbling(), n=1)
+    waiting = db.experiments.Task(db.FunctionEnvironment(patient, box), db.MotorBabbling(), n=1)
+    quick = db.experiments.Task(db.FunctionEnvironment(lambda x: x, box), db.MotorBabbling(), n=1)
     places = []
     for place, _ in db.explore_many([waiting, quick], jobs=2):
         places.append(place)

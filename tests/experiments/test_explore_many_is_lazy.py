@@ -9,7 +9,7 @@ import pytest
 import divbandit as db
 from tests.threads import HAS_GIL
 
-TASK = db.Task(db.PlanarArm(3), db.MotorBabbling(), n=5)
+TASK = db.experiments.Task(db.PlanarArm(3), db.MotorBabbling(), n=5)
 
 
 def endless(drawn):

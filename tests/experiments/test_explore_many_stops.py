@@ -21,8 +21,8 @@ def f(x):
         known.add(threading.get_ident())
         begun.release()  # once for each thread
     return x
-task = db.Task(db.FunctionEnvironment(f, db.Box([0], [1])), db.MotorBabbling(), 10**9)
-quick = db.Task(db.PlanarArm(2), db.MotorBabbling(), 3)
+task = db.experiments.Task(db.FunctionEnvironment(f, db.Box([0], [1])), db.MotorBabbling(), 10**9)
+quick = db.experiments.Task(db.PlanarArm(2), db.MotorBabbling(), 3)
 """
 
 
@@ -47,7 +47,7 @@ def failing(after, error):
         assert after.event.wait(60)
         raise error
 
-    return db.Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
+    return db.experiments.Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
 
 
 @pytest.fixture
@@ -59,7 +59,7 @@ def begun():
 
 @pytest.fixture
 def endless(begun):
-    return db.Task(begun, db.MotorBabbling(), ENDLESS)
+    return db.experiments.Task(begun, db.MotorBabbling(), ENDLESS)
 
 
 @pytest.fixture
@@ -70,7 +70,7 @@ def quick(begun):
         assert begun.event.wait(60)
         return x
 
-    return db.Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
+    return db.experiments.Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
 
 
 @pytest.fixture(autouse=True)
@@ -169,7 +169,7 @@ def test_what_is_no_task_stops_the_others(begun, endless):
 
 
 def test_an_error_in_an_argument_of_a_task_names_it(endless):
-    wrong = db.Task(endless.environment, endless.strategy, n=0)
+    wrong = db.experiments.Task(endless.environment, endless.strategy, n=0)
     with pytest.raises(ValueError, match="n must be at least 1, got 0"):
         list(db.explore_many([endless, wrong], jobs=2))
 

@@ -26,28 +26,28 @@ def by_hand(choices, *, believed=None):
 def test_coverage_is_that_after_the_steps_asked_for():
     at = [7, 40, 1, 7]
     expected = [db.coverage(RUN.effects[:count], 0.1) for count in at]
-    found = db.summarize(0.1, at=at)(RUN)
+    found = db.experiments.summarize(0.1, at=at)(RUN)
     np.testing.assert_allclose(found.coverage, expected, rtol=1e-13)
     assert found.coverage.tobytes() == RUN.coverage(0.1)[[6, 39, 0, 6]].tobytes()
 
 
 def test_coverage_on_a_line_is_a_length():
-    found = db.summarize(0.25, at=(1, 2, 4))(by_hand([0, 0, 0, 0]))
+    found = db.experiments.summarize(0.25, at=(1, 2, 4))(by_hand([0, 0, 0, 0]))
     assert found.coverage.tolist() == [0.5, 1.0, 2.0]
 
 
 def test_by_default_it_is_the_last_coverage():
-    assert db.summarize(0.1)(RUN).coverage.tolist() == [RUN.coverage(0.1)[-1]]
+    assert db.experiments.summarize(0.1)(RUN).coverage.tolist() == [RUN.coverage(0.1)[-1]]
 
 
 def test_no_step_may_be_asked_for():
-    found = db.summarize(0.1, at=[])(RUN)
+    found = db.experiments.summarize(0.1, at=[])(RUN)
     assert found.coverage.shape == (0,)
     assert found.usage.shape == (3,)
 
 
 def test_steps_may_be_numpys_and_are_read_once():
-    once = db.summarize(0.1, at=iter(np.array([3, 5])))
+    once = db.experiments.summarize(0.1, at=iter(np.array([3, 5])))
     for _ in range(2):
         assert once(RUN).coverage.tolist() == RUN.coverage(0.1)[[2, 4]].tolist()
 
@@ -65,13 +65,15 @@ def test_steps_may_be_numpys_and_are_read_once():
     ],
 )
 def test_usage_counts_choices(choices, believed, usage):
-    assert db.summarize(0.1)(by_hand(choices, believed=believed)).usage.tolist() == usage
+    assert (
+        db.experiments.summarize(0.1)(by_hand(choices, believed=believed)).usage.tolist() == usage
+    )
 
 
 def test_it_counts_parts_at_the_top_alone():
     nested = db.Mixture([db.Mixture(PARTS), db.MotorBabbling()])
     run = db.explore(ARM, nested, n=50, rng=0)
-    assert db.summarize(0.1)(run).usage.tolist() == [
+    assert db.experiments.summarize(0.1)(run).usage.tolist() == [
         (run.choices == part).sum() / 50 for part in range(2)
     ]
 
@@ -79,7 +81,7 @@ def test_it_counts_parts_at_the_top_alone():
 def test_no_exploration_is_kept_alive_by_its_summary():
     run = db.explore(ARM, db.Adapt(PARTS), n=40, rng=0)
     alive, effects = weakref.ref(run), weakref.ref(run.effects)
-    summary = db.summarize(0.1)(run)
+    summary = db.experiments.summarize(0.1)(run)
     del run
     gc.collect()
     assert alive() is None
@@ -90,17 +92,17 @@ def test_no_exploration_is_kept_alive_by_its_summary():
 def test_an_empty_exploration_has_no_summary():
     explorer = db.Explorer(db.MotorBabbling(), ARM.motor_space)
     with pytest.raises(ValueError, match="run must have at least one step, got none"):
-        db.summarize(0.1)(explorer.result())
+        db.experiments.summarize(0.1)(explorer.result())
 
 
 def test_both_say_what_they_are_and_can_be_pickled():
-    keep = db.summarize(0.1, at=[2, 40])
+    keep = db.experiments.summarize(0.1, at=[2, 40])
     assert repr(keep) == "summarize(0.1, at=(2, 40))"
     again = pickle.loads(pickle.dumps(keep))  # noqa: S301
     assert again == keep
     summary = pickle.loads(pickle.dumps(again(RUN)))  # noqa: S301
-    assert isinstance(summary, db.Summary)
+    assert isinstance(summary, db.experiments.Summary)
     assert summary.coverage.tolist() == keep(RUN).coverage.tolist()
-    assert repr(db.summarize(0.25)(by_hand([1, 0]))) == (
+    assert repr(db.experiments.summarize(0.25)(by_hand([1, 0]))) == (
         "Summary(coverage=array([1.]), usage=array([0.5, 0.5]))"
     )

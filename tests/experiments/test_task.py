@@ -7,12 +7,12 @@ import pytest
 
 import divbandit as db
 
-TASK = db.Task(db.PlanarArm(2), db.MotorBabbling(), 10)
+TASK = db.experiments.Task(db.PlanarArm(2), db.MotorBabbling(), 10)
 
 
 def test_it_holds_what_it_was_given():
     arm, strategy = db.PlanarArm(2), db.MotorBabbling()
-    task = db.Task(environment=arm, strategy=strategy, n=10, rng=3)
+    task = db.experiments.Task(environment=arm, strategy=strategy, n=10, rng=3)
     assert task.environment is arm
     assert task.strategy is strategy
     assert (task.n, task.rng) == (10, 3)
@@ -40,12 +40,14 @@ def test_over_takes_seeds_one_by_one():
 
 
 def test_its_repr_omits_defaults():
-    task = db.Task(db.PlanarArm(2), db.MotorBabbling(), 10, engine="rust")
+    task = db.experiments.Task(db.PlanarArm(2), db.MotorBabbling(), 10, engine="rust")
     assert repr(task) == "Task(PlanarArm(2), MotorBabbling(), 10, engine='rust')"
 
 
 def test_it_can_be_pickled():
-    again = pickle.loads(pickle.dumps(db.Task(db.PlanarArm(2), db.MotorBabbling(), 10, 3)))  # noqa: S301
+    again = pickle.loads(
+        pickle.dumps(db.experiments.Task(db.PlanarArm(2), db.MotorBabbling(), 10, 3))
+    )  # noqa: S301
     first, second = (
         db.explore(task.environment, task.strategy, task.n, rng=task.rng)
         for task in (again, next(TASK.over([3])))

@@ -13,14 +13,17 @@ UPRIGHT = [np.pi / 2, 0.0]
 @pytest.mark.parametrize(
     ("obstacle", "apart"),
     [
-        (db.Disc([0.6, 0.5], 0.1), 0.45),
-        (db.Disc([0.0, 1.6], 0.1), 0.45),
-        (db.Rectangle([0.3, 0.1], [0.9, 0.6]), 0.25),
-        (db.Polygon([[0.3, 0.1], [0.9, 0.1], [0.9, 0.9], [0.3, 0.9], [0.5, 0.5]]), 0.25),
-        (db.Wall([-2, 1.3], [2, 1.3], thickness=0.2), 0.15),
-        (db.Wall([-0.5, 0.5], [-1, 0.5]), 0.45),
-        (db.Wall([-0.5, 0.5], [0.5, 0.5]), -0.05),
-        (db.Disc([0.1, 0.5], 0.1), -0.05),
+        (db.environments.Disc([0.6, 0.5], 0.1), 0.45),
+        (db.environments.Disc([0.0, 1.6], 0.1), 0.45),
+        (db.environments.Rectangle([0.3, 0.1], [0.9, 0.6]), 0.25),
+        (
+            db.environments.Polygon([[0.3, 0.1], [0.9, 0.1], [0.9, 0.9], [0.3, 0.9], [0.5, 0.5]]),
+            0.25,
+        ),
+        (db.environments.Wall([-2, 1.3], [2, 1.3], thickness=0.2), 0.15),
+        (db.environments.Wall([-0.5, 0.5], [-1, 0.5]), 0.45),
+        (db.environments.Wall([-0.5, 0.5], [0.5, 0.5]), -0.05),
+        (db.environments.Disc([0.1, 0.5], 0.1), -0.05),
     ],
 )
 def test_clearances_known_on_paper(obstacle, apart):

@@ -1,9 +1,9 @@
-# The few verbs of this project; `make help` lists them. Each sets up what it needs in .venv.
+# The targets of this project; `make help` lists them. Each sets up what it needs in .venv.
 
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
-# How long `make fuzz` tries each of its targets.
+# How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
 FUZZ   := .tools/bin/cargo-fuzz
 PIP    := $(BIN)/python -m pip install --quiet --constraint requirements.txt
@@ -13,7 +13,7 @@ export VIRTUAL_ENV := $(CURDIR)/$(VENV)
 .DEFAULT_GOAL := help
 .PHONY: help reproduce studies test lint types test-rust test-python test-wheel bench fuzz lock clean develop
 
-help: ## list the verbs
+help: ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## /\1\t/' | expand -t 14
 
 reproduce: $(VENV)/.run develop ## the paper's four figures and the comparison, into figures/
@@ -22,7 +22,7 @@ reproduce: $(VENV)/.run develop ## the paper's four figures and the comparison, 
 studies: $(VENV)/.test develop ## the studies of docs/studies.md and docs/environments.md, into studies/
 	for study in rules strategies composition environments; do $(BIN)/divbandit study $$study --out studies || exit 1; done
 
-test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI makes
+test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI runs
 
 bench: $(VENV)/.test develop ## kernels (criterion), peers, whole explorations; the peers' table goes into the README
 	cargo bench --locked --package divbandit-core
@@ -65,15 +65,15 @@ test-wheel: $(VENV)/.test # the wheel alone, with NumPy and nothing else, in an 
 	.wheel-venv/bin/python -m pip install --quiet --constraint requirements.txt dist/*.whl
 	cd dist && ../.wheel-venv/bin/python -I ../tests/smoke.py
 
-lock: $(VENV)/.test # requirements.txt anew, from pyproject.toml
+lock: $(VENV)/.test # renew requirements.txt from pyproject.toml
 	$(PIP) pip-tools
 	$(BIN)/pip-compile --quiet --upgrade --strip-extras --extra test --no-emit-index-url \
 		--no-emit-find-links --no-emit-trusted-host --unsafe-package divbandit --output-file requirements.txt pyproject.toml
 
-clean: ## remove all that was built
+clean: ## remove everything that was built
 	rm -rf target fuzz/target benches/scalar_arm/target .tools dist figures studies $(VENV) .wheel-venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
-# The compiled module, built in place; a moment when nothing has changed.
+# The compiled module, built in place; quick when nothing has changed.
 develop: $(VENV)/.run
 	$(BIN)/maturin develop --release --locked > $(VENV)/develop.log 2>&1 || { cat $(VENV)/develop.log; exit 1; }
 

@@ -1,4 +1,4 @@
-"""A robot is asked for one trial at a time; the program dies half-way, and the next goes on.
+"""A robot tries one trial at a time; the program dies half-way, and the next one resumes.
 
 The robot may fall, which makes the trial a failure. After each trial the explorer is saved; the
 next program continues as the first would have, bit by bit.

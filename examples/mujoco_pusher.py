@@ -1,4 +1,4 @@
-"""MuJoCo's Pusher: an arm of seven joints above a table pushes an object about.
+"""MuJoCo's Pusher: an arm of seven joints above a table pushes an object.
 
 Needs MuJoCo: ``pip install 'divbandit[mujoco]'``. Nothing is rendered.
 """

@@ -1,4 +1,4 @@
-"""MuJoCo's Reacher: two soft joints are led along trajectories, so that its fingertip gets about.
+"""MuJoCo's Reacher: two compliant joints follow trajectories, so that its fingertip moves.
 
 Needs MuJoCo: ``pip install 'divbandit[mujoco]'``. Nothing is rendered.
 """

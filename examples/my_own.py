@@ -1,4 +1,4 @@
-"""A user-defined black box, and a user-defined strategy that ADAPT chooses among others."""
+"""A user-defined black box, and ADAPT over a user-defined strategy and others."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Any program is explored: a pendulum whose simulator is another program.
+"""Any program can be explored: here a pendulum whose simulator is a program of its own.
 
 The motor command is written onto the program's command line - when to push, how hard, how long -
 and what the program prints, as JSON, is the effect: the angle and the speed in the end. The

@@ -1,4 +1,4 @@
-"""ADAPT chooses among emitters of pyribs, each of which knows what all of them have found.
+"""ADAPT chooses among emitters of pyribs, each of which sees what all of them have found.
 
 Needs pyribs: ``pip install 'divbandit[ribs]'``.
 """

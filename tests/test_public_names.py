@@ -18,7 +18,6 @@ KINDS = (
 
 #: What only the library itself calls.
 WITHIN = (
-    "History.keep",
     "Explorer.for_run",
     "strategies.Starter.copy_of",
     "strategies.Starter.value_or_copy",

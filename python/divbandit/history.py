@@ -84,16 +84,8 @@ class History:
         )
         self._is_explorers = False
         self._failures: list[Failure] = []
-        self.keep()
-
-    def keep(self, *, commands: bool = True, width: int = 0) -> None:
-        """Begin the log: whether commands are kept, how many estimates come with each step.
-
-        For explorers, before the first evaluation.
-        """
         goals = self.sensory_space
-        bounds = None if goals is None else goals.bounds
-        self._log = _core.History(self.motor_space.bounds, bounds, commands, width)
+        self._log = _core.History(self.motor_space.bounds, None if goals is None else goals.bounds)
         # Copies of the log in NumPy's memory, as far as they were looked at.
         self._commands = np.empty((0, self.motor_space.dim))
         self._effects = np.empty((0, 0 if goals is None else goals.dim))

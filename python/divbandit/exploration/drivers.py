@@ -34,6 +34,10 @@ class Driver(Protocol):
     strategy: Strategy
 
     @property
+    def needs_commands(self) -> bool:
+        """Whether a strategy may look at the commands of the history."""
+
+    @property
     def estimates(self) -> tuple[float, ...] | None:
         """What a bandit believes of each of its strategies."""
 
@@ -84,7 +88,7 @@ class RustDriver:
 
     @property
     def needs_commands(self) -> bool:
-        """Whether a strategy looks at the commands of the history."""
+        """Whether a strategy may look at the commands of the history."""
         return self._engine.needs_commands
 
     @property
@@ -129,6 +133,8 @@ class RustDriver:
 
 class PythonDriver:
     """The loop in Python, in which a user's strategies, rewards, policies and samplers run too."""
+
+    needs_commands = True
 
     def __init__(self, strategy: Strategy, history: History) -> None:
         self._history, self._log = history, history._log  # noqa: SLF001 - written here

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from divbandit._checks import Rng
     from divbandit.box import BoxLike
     from divbandit.environments import Environment
-    from divbandit.exploration.drivers import Driver, EngineName
+    from divbandit.exploration.drivers import EngineName
 
 _NOT_MINE = "trial must be one that this explorer asked for and was not told of yet"
 
@@ -129,7 +129,9 @@ class Explorer:
         self.rng = generator(rng)
         self.history = history
         self._given = strategy
-        self._driver = _started(strategy, history, engine, keep_commands=keep_commands)
+        driver = self._driver = driver_of(strategy, history, engine)
+        kept = keep_commands or driver.needs_commands
+        history._log.begin(kept, len(driver.estimates or ()))  # noqa: SLF001 - the explorer's
         history._is_explorers = True  # noqa: SLF001 - nothing else writes to it
         self._journal = Journal(self.rng)
         self._asked = 0
@@ -485,14 +487,3 @@ class Explorer:
 
     def __repr__(self) -> str:
         return f"<Explorer of {self._given!r} after {len(self.history)} evaluations>"
-
-
-def _started(strategy: Strategy, history: History, engine: str, *, keep_commands: bool) -> Driver:
-    """Return the driver of a strategy; the history then logs as many estimates as it has."""
-    driver = driver_of(strategy, history, engine)
-    estimates = driver.estimates
-    kept = keep_commands or not isinstance(driver, RustDriver) or driver.needs_commands
-    if estimates is None and kept:
-        return driver
-    history.keep(commands=kept, width=len(estimates or ()))
-    return driver_of(strategy, history, engine)

@@ -71,6 +71,19 @@ impl History {
         })
     }
 
+    /// Decides, while nothing has been tried, whether commands are kept and how many estimates
+    /// are logged with each step.
+    ///
+    /// # Errors
+    /// If something has been tried.
+    pub fn begin(&mut self, keeps_commands: bool, width: usize) -> Result<(), Error> {
+        if self.len > 0 {
+            return Err(Error::Count { name: "history", must_be: "empty".into(), got: self.len });
+        }
+        (self.keeps_commands, self.width) = (keeps_commands, width);
+        Ok(())
+    }
+
     /// M, the box of all motor commands.
     #[must_use]
     pub fn motor_space(&self) -> &Bounds {

@@ -26,10 +26,6 @@ type Arrays<'py> = (Option<Rows<'py, f64>>, Rows<'py, f64>, Rows<'py, i64>, Opti
 /// ----------
 /// motor_space : Bounds
 /// sensory_space : Bounds, optional
-/// keeps_commands : bool
-///     Without it, commands are forgotten as soon as they are recorded.
-/// width : int
-///     How many estimates are logged with each step.
 ///
 /// Examples
 /// --------
@@ -44,15 +40,19 @@ pub(crate) struct PyHistory(pub History);
 #[pymethods]
 impl PyHistory {
     #[new]
-    #[pyo3(signature = (motor_space, sensory_space, keeps_commands=true, width=0))]
+    #[pyo3(signature = (motor_space, sensory_space))]
     fn new(
         motor_space: &Bound<'_, PyBounds>,
         sensory_space: Option<&Bound<'_, PyBounds>>,
-        keeps_commands: bool,
-        width: usize,
     ) -> PyResult<Self> {
         let (m, s) = (&motor_space.get().0, sensory_space.map(|space| space.get().0.clone()));
-        History::new(m.clone(), s, keeps_commands, width).map(Self).map_err(value_error)
+        History::new(m.clone(), s, true, 0).map(Self).map_err(value_error)
+    }
+
+    /// Decide, while nothing has been tried, whether commands are kept or forgotten as soon as they
+    /// are recorded, and how many estimates are logged with each step.
+    fn begin(&mut self, keeps_commands: bool, width: usize) -> PyResult<()> {
+        self.0.begin(keeps_commands, width).map_err(value_error)
     }
 
     /// The dimension of the effects; None until the first tells it.

@@ -129,7 +129,7 @@ impl Exploration {
 
     /// Starts what depends on the dimension of the effects, once that is known.
     fn begin(&mut self, history: &History) -> Result<(), Error> {
-        let Some(dim) = history.effect_dim().filter(|_| !self.has_begun) else { return Ok(()) };
+        let Some(dim) = history.effect_dim() else { return Ok(()) };
         self.rewards.start(dim)?;
         for part in &mut self.parts {
             match part {
@@ -145,7 +145,7 @@ impl Exploration {
     /// from `draws`.
     ///
     /// # Errors
-    /// If a strategy cannot propose, or proposes what is no command.
+    /// If a strategy cannot propose.
     pub fn propose(
         &mut self,
         history: &mut History,
@@ -175,7 +175,7 @@ impl Exploration {
                     proposal.has_goal = goal.is_some();
                     proposal.goal.extend_from_slice(goal.unwrap_or(&[]));
                     proposal.end = end;
-                    return history.motor_space().check("command", &proposal.command);
+                    return Ok(());
                 }
             }
         }
@@ -194,7 +194,9 @@ impl Exploration {
     ) -> Result<(), Error> {
         history.check_effect(effect)?;
         history.log(&proposal.command, effect, proposal.end, &proposal.estimates)?;
-        self.begin(history)?;
+        if !self.has_begun {
+            self.begin(history)?;
+        }
         for &(place, choice) in proposal.choices.iter().rev() {
             if let (Some(reward), Part::Composite(composite, _)) =
                 (self.rewarded[place], &mut self.parts[place])

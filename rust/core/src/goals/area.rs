@@ -52,12 +52,13 @@ impl Area {
 
     /// Writes a goal uniform in the box.
     pub fn sample(
-        &mut self,
+        &self,
         history: &History,
         draws: &mut dyn UniformStream,
         goal: &mut Vec<f64>,
     ) -> Result<(), Error> {
-        let goals = self.of(history)?;
+        let own = self.goals.as_ref().filter(|_| self.given);
+        let goals = own.or(history.sensory_space()).ok_or(MISSING)?;
         goal.resize(goals.dim(), 0.0);
         goals.sample_into(goal, draws);
         Ok(())

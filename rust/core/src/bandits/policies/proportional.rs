@@ -24,19 +24,35 @@ impl Proportional {
 
 impl Policy for Proportional {
     fn choose(&mut self, estimates: &Estimates<'_>, draws: &mut dyn UniformStream) -> Choice {
+        if self.power == 1.0 {
+            return chosen(self.alpha, estimates.means.iter().map(|&mean| positive(mean)), draws);
+        }
         powers(estimates.means, self.power, &mut self.weights);
-        let weights = self.weights.iter().copied();
-        let (count, total) = (self.weights.len() as f64, total_of(weights.clone()));
-        let uniformly = draws.next() < self.alpha;
-        let u = draws.next();
-        let part = if uniformly { (u * count) as usize } else { share_of(weights, total, u) };
-        let probability = if total <= 0.0 {
-            1.0 / count
-        } else {
-            self.alpha / count + (1.0 - self.alpha) * self.weights[part] / total
-        };
-        Choice::with(part, probability)
+        chosen(self.alpha, self.weights.iter().copied(), draws)
     }
+}
+
+/// A mean, a negative one as 0.
+fn positive(mean: f64) -> f64 {
+    if mean > 0.0 { mean } else { 0.0 }
+}
+
+/// A part: with probability alpha uniformly at random, otherwise in proportion to its weight.
+fn chosen(
+    alpha: f64,
+    weights: impl ExactSizeIterator<Item = f64> + Clone,
+    draws: &mut dyn UniformStream,
+) -> Choice {
+    let (count, total) = (weights.len() as f64, total_of(weights.clone()));
+    let uniformly = draws.next() < alpha;
+    let u = draws.next();
+    let part = if uniformly { (u * count) as usize } else { share_of(weights.clone(), total, u) };
+    let probability = if total <= 0.0 {
+        1.0 / count
+    } else {
+        alpha / count + (1.0 - alpha) * weights.clone().nth(part).unwrap_or(0.0) / total
+    };
+    Choice::with(part, probability)
 }
 
 /// Writes the means' shares of the largest to a power; negative ones count as 0. As shares none
@@ -53,7 +69,7 @@ impl Policy for Proportional {
 /// ```
 pub fn powers(means: &[f64], power: f64, weights: &mut Vec<f64>) {
     weights.clear();
-    weights.extend(means.iter().map(|&mean| if mean > 0.0 { mean } else { 0.0 }));
+    weights.extend(means.iter().map(|&mean| positive(mean)));
     if power == 1.0 {
         return;
     }

@@ -1,6 +1,7 @@
 """explore_many: the very explorations of a plain loop, whatever the number of threads."""
 
 import threading
+from functools import partial
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 import divbandit as db
 from tests.compositions import compositions
 from tests.generators import state
+from tests.threads import at_once
 
 ARM = db.PlanarArm(5)
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], window=10)
@@ -32,7 +34,7 @@ class Backwards(db.Strategy):
 
 
 def bits(run):
-    believed = b"" if run.diversities is None else run.diversities.tobytes()
+    believed = b"" if run.estimates is None else run.estimates.tobytes()
     return [array.tobytes() for array in (run.commands, run.effects, run.paths)] + [believed]
 
 
@@ -177,14 +179,6 @@ def test_explorations_within_what_keeps_an_exploration():
     assert dict(db.explore_many(SHORT.over(range(4)), keep=keep, jobs=2)) == plain
 
 
-def test_many_at_once_in_threads_of_ones_own():
-    found = {}
-    threads = [
-        threading.Thread(target=lambda k=k: found.update({k: explored([SHORT] * 5, rng=k, jobs=2)}))
-        for k in range(4)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert found == {k: explored([SHORT] * 5, rng=k, jobs=1) for k in range(4)}
+def test_many_at_once_from_several_threads():
+    found = at_once(partial(explored, [SHORT] * 5, rng=k, jobs=2) for k in range(4))
+    assert found == [explored([SHORT] * 5, rng=k, jobs=1) for k in range(4)]

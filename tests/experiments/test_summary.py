@@ -3,6 +3,7 @@
 import gc
 import pickle
 import weakref
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,8 +20,8 @@ def by_hand(choices, *, believed=None):
     history = db.History(db.Box([0], [1]))
     for place, choice in enumerate(choices):
         history.append([0.5], [place], path=() if choice is None else (choice,))
-    beliefs = {} if believed is None else dict.fromkeys(range(len(choices)), believed)
-    return db.Exploration.from_history(history, beliefs)
+    beliefs = None if believed is None else np.array([believed] * len(choices))
+    return replace(db.Exploration.of(history), estimates=beliefs)
 
 
 def test_coverage_is_that_after_the_steps_asked_for():

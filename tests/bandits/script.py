@@ -1,59 +1,62 @@
-"""A bandit driven by a script: what it draws and what comes of its choices are given."""
+"""Bandits driven by a script: what they draw and what comes of their choices are given.
 
-import numpy as np
+Each runs in Python and in the engine, which must do the same.
+"""
+
+import pytest
 
 import divbandit as db
+from tests.generators import draws_from, scripted
 
 SPACE = db.Box([0], [1])
+PLANE = db.Box([0, 0], [1, 1])
 
-
-class Scripted:
-    """Stands in for a generator; its numbers are given beforehand."""
-
-    def __init__(self, *numbers):
-        self.numbers = list(numbers)
-
-    def random(self):
-        return self.numbers.pop(0)
-
-
-def towards(index, count):
-    """Return numbers that lead an Adapt to choose `index` of `count`.
-
-    The first lies below any positive alpha, so that the second chooses uniformly.
-    """
-    return Scripted(0.0, (index + 0.5) / count)
-
-
-class Always(db.Strategy):
-    """Proposes the same command each time, and draws nothing."""
-
-    def propose(self, history, rng):
-        del history, rng
-        return [0.5]
+both_engines = pytest.mark.parametrize("engine", ["python", "rust"])
 
 
 class Drive:
-    """An Adapt over `count` strategies and its history, step by step.
+    """A bandit under way over `count` strategies, step by step.
 
     A step chooses strategy `index` by drawing the numbers that lead there, and observes an
-    effect that is new (far from all others: its gain is a ball) or old (its gain is 0).
+    effect that is new (far from all others: its gain is a ball) or old (its gain is 0). The
+    strategies propose the only command there is.
     """
 
-    def __init__(self, count=2, **parameters):
-        self.adapt = db.Adapt([Always() for _ in range(count)], **parameters)
-        self.history = db.History(SPACE, db.Box([0, 0], [1, 1]))
+    def __init__(self, engine, count=2, **parameters):
+        point = db.Box([0.5], [0.5])
+        babblings = [db.MotorBabbling() for _ in range(count)]
+        self.adapt = db.Adapt(babblings, **parameters)
+        self.explorer = db.Explorer(self.adapt, point, PLANE, engine=engine)
         self.fresh = 0
 
+    @property
+    def estimates(self):
+        return self.explorer.estimates
+
+    def ask(self, *numbers):
+        """Return a trial for which these numbers were drawn, and one for the command."""
+        self.explorer.rng = scripted(*numbers, 0.5)
+        trial = self.explorer.ask()
+        assert draws_from(self.explorer.rng) == len(numbers) + 1
+        return trial
+
     def step(self, index, *, new):
-        count = len(self.adapt.strategies)
-        trial = self.adapt.propose(self.history, towards(index, count))
+        """Let a strategy propose, and observe."""
+        trial = self.ask(0.0, self._towards(index))
         assert trial.path == (index,)
         self.fresh += new
-        effect = np.array([10.0 * self.fresh, 0.0])
-        self.history.append(trial.command, effect, path=trial.path)
-        self.adapt.observe(trial, effect)
-        return self.adapt.diversities
+        self.explorer.tell(trial, [10.0 * self.fresh, 0.0])
+        return self.estimates
+
+    def _towards(self, index):
+        """Return what leads to a strategy: by chance, or where alpha is 0 in its share."""
+        count = len(self.estimates)
+        weights = [max(0.0, mean) for mean in self.estimates]
+        if self.adapt.alpha > 0 or max(weights) == 0:
+            return (index + 0.5) / count
+        assert weights[index] > 0
+        return (sum(weights[:index]) + 0.5 * weights[index]) / sum(weights)
 
     def choice(self, *numbers):
-        return self.adapt.choose(self.history, Scripted(*numbers))
+        """Return which strategy the numbers lead to; nothing is told."""
+        return self.ask(*numbers).path[0]

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.bandits import Gain
 from tests.bandits.beliefs import replay
+from tests.bandits.script import both_engines
 
 RMB = db.MotorBabbling
 
@@ -16,37 +18,41 @@ def cube(dim, *, known):
     return db.FunctionEnvironment(lambda x: x, space, space if known else None)
 
 
+@both_engines
 @pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
 @pytest.mark.parametrize("dim", [1, 3, 5])
-def test_effects_of_any_dimension(dim, known):
-    adapt = db.Adapt([RMB(), RMB()], measure=db.GridCoverage(0.25, dim=dim))
-    run = db.explore(cube(dim, known=known), adapt, n=60, rng=0)
-    assert np.array_equal(run.diversities, replay(adapt, run, 1.0, db.GridCoverage(0.25, dim=dim)))
+def test_effects_of_any_dimension(dim, known, engine):
+    grid = db.measures.GridCoverage(0.25)
+    adapt = db.Adapt([RMB(), RMB()], reward=Gain(grid))
+    run = db.explore(cube(dim, known=known), adapt, n=60, rng=0, engine=engine)
+    assert np.array_equal(run.estimates, replay(adapt, run, grid.start(dim)))
 
 
+@both_engines
 @pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
-def test_the_dimension_is_that_of_the_measure(known):
-    adapt = db.Adapt([RMB()], measure=db.Entropy(0.25))
-    with pytest.raises(ValueError, match="measure must have the dimension of the effects, 3, got"):
-        db.explore(cube(3, known=known), adapt, n=1, rng=0)
+def test_a_measure_says_which_dimensions_it_takes(known, engine):
+    adapt = db.Adapt([RMB()], reward=Gain(db.measures.Entropy([0.25, 0.5])))
+    with pytest.raises(ValueError, match=r"of a dimension that Adapt takes, got 3: .*cell"):
+        db.explore(cube(3, known=known), adapt, n=1, rng=0, engine=engine)
 
 
+@both_engines
 @pytest.mark.parametrize("dim", [1, 2, 3, 4, 9])
-def test_the_default_measures_in_whatever_dimension_coverage_takes(dim):
-    ball = db.Coverage(0.3, dim=dim).add([0.0] * dim)
+def test_the_default_measures_in_whatever_dimension_coverage_takes(dim, engine):
     adapt = db.Adapt([RMB(), RMB()], tau=0.3, window=5)
-    run = db.explore(cube(dim, known=True), adapt, n=60, rng=0)
-    expected = replay(adapt, run, ball, db.Coverage(0.3, dim=dim, rng=0))
-    np.testing.assert_allclose(run.diversities, expected, rtol=1e-14)
+    run = db.explore(cube(dim, known=True), adapt, n=60, rng=0, engine=engine)
+    expected = replay(adapt, run, db.measures.BallCoverage(0.3).start(dim))
+    np.testing.assert_allclose(run.estimates, expected, rtol=1e-14)
     # Until the first effect tells the dimension, a disc stands for a ball.
-    other = db.explore(cube(dim, known=False), adapt, n=60, rng=0)
+    other = db.explore(cube(dim, known=False), adapt, n=60, rng=0, engine=engine)
     assert other.commands.tobytes() == run.commands.tobytes()
-    assert other.diversities[0].tolist() == [math.pi * 0.3 * 0.3] * 2
-    assert other.diversities[1:].tobytes() == run.diversities[1:].tobytes()
+    assert other.estimates[0].tolist() == [math.pi * 0.3 * 0.3] * 2
+    assert other.estimates[1:].tobytes() == run.estimates[1:].tobytes()
 
 
+@both_engines
 @pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
-def test_the_default_says_which_dimensions_it_takes(known):
+def test_the_default_says_which_dimensions_it_takes(known, engine):
     message = "effects must be of a dimension that Adapt takes, got 40: dim must be from 1 to 32"
     with pytest.raises(ValueError, match=message):
-        db.explore(cube(40, known=known), db.Adapt([RMB()]), n=1, rng=0)
+        db.explore(cube(40, known=known), db.Adapt([RMB()]), n=1, rng=0, engine=engine)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from tests.bandits.script import both_engines
 from tests.reference.adapt_replay import replay
 
 ARM = db.PlanarArm(20)
@@ -32,39 +33,42 @@ FLAT = {
 }
 
 
+@both_engines
 @pytest.mark.parametrize("adapt", FLAT.values(), ids=FLAT)
-def test_a_run_equals_its_replay(adapt):
-    run = db.explore(ARM, adapt, n=700, rng=0)
+def test_a_run_equals_its_replay(adapt, engine):
+    run = db.explore(ARM, adapt, n=700, rng=0, engine=engine)
     expected = replay(adapt, run.effects, [tuple(path) for path in run.paths])
-    assert run.diversities.tolist() == [list(belief) for belief in expected[:-1]]
+    assert run.estimates.tolist() == [list(belief) for belief in expected[:-1]]
 
 
-def test_a_nested_runs_outermost_beliefs_equal_their_replay():
+@both_engines
+def test_a_nested_runs_outermost_beliefs_equal_their_replay(engine):
     adapt = nested()
-    run = db.explore(ARM, adapt, n=700, rng=1)
+    run = db.explore(ARM, adapt, n=700, rng=1, engine=engine)
     expected = replay(adapt, run.effects, run.paths.tolist())
-    assert run.diversities.tolist() == [list(belief) for belief in expected[:-1]]
+    assert run.estimates.tolist() == [list(belief) for belief in expected[:-1]]
 
 
-def levels(adapt, prefix=()):
-    """Yield each Adapt within and where it stands."""
-    yield prefix, adapt
+def levels(adapt, running, prefix=()):
+    """Yield each Adapt within, what runs in its place, and where it stands."""
+    yield prefix, adapt, running
     for index, part in enumerate(adapt.strategies):
         if isinstance(part, db.Adapt):
-            yield from levels(part, (*prefix, index))
+            yield from levels(part, running.strategies[index], (*prefix, index))
 
 
 def driven(adapt, n, seed):
     """Run the loop in plain sight: the history, and each level's beliefs after each step."""
     history, rng = db.History(ARM.motor_space, ARM.sensory_space), np.random.default_rng(seed)
-    beliefs = {prefix: [part.diversities] for prefix, part in levels(adapt)}
+    running = db.strategies.Starter(history)(adapt)
+    beliefs = {prefix: [part.estimates] for prefix, _, part in levels(adapt, running)}
     for _ in range(n):
-        trial = adapt.propose(history, rng)
+        trial = running.propose(history, rng)
         effect = ARM(trial.command)
         history.append(trial.command, effect, path=trial.path)
-        adapt.observe(trial, effect)
-        for prefix, part in levels(adapt):
-            beliefs[prefix].append(part.diversities)
+        running.observe(trial, effect)
+        for prefix, _, part in levels(adapt, running):
+            beliefs[prefix].append(part.estimates)
     return history, beliefs
 
 
@@ -72,18 +76,19 @@ def test_each_level_equals_its_own_replay():
     adapt = nested()
     history, beliefs = driven(adapt, n=700, seed=1)
     assert set(beliefs) == {(), (0,), (1,), (1, 1)}
-    for prefix, part in levels(adapt):
+    for prefix, part, _ in levels(adapt, db.strategies.Starter(history)(adapt)):
         assert beliefs[prefix] == replay(part, history.effects, history.paths, prefix)
     own = [path for path in history.paths if path[:2] == (1, 1)]
     assert len(own) > 20, "the innermost must have been chosen for this to tell anything"
 
 
-def test_the_loop_in_plain_sight_is_what_explore_does():
+@both_engines
+def test_the_loop_in_plain_sight_is_what_explore_does(engine):
     history, beliefs = driven(nested(), n=300, seed=2)
-    run = db.explore(ARM, nested(), n=300, rng=2)
+    run = db.explore(ARM, nested(), n=300, rng=2, engine=engine)
     assert run.commands.tolist() == history.commands.tolist()
     assert run.effects.tolist() == history.effects.tolist()
-    assert run.diversities.tolist() == [list(belief) for belief in beliefs[()][:-1]]
+    assert run.estimates.tolist() == [list(belief) for belief in beliefs[()][:-1]]
     trimmed = [tuple(index for index in path if index >= 0) for path in run.paths.tolist()]
     assert trimmed == list(history.paths)
 
@@ -91,26 +96,24 @@ def test_the_loop_in_plain_sight_is_what_explore_does():
 def test_an_adapt_in_a_mixture_sees_what_the_others_covered():
     adapt = db.Adapt([RMB(), RGB(0.05)], tau=0.1, window=5)
     mixture = db.Mixture([adapt, RGB(0.5)])
-    history, rng = db.History(ARM.motor_space, ARM.sensory_space), np.random.default_rng(0)
+    explorer = db.Explorer(mixture, ARM.motor_space, ARM.sensory_space, rng=0, engine="python")
     for _ in range(400):
-        trial = mixture.propose(history, rng)
-        effect = ARM(trial.command)
-        history.append(trial.command, effect, path=trial.path)
-        mixture.observe(trial, effect)
-    assert adapt.diversities == replay(adapt, history.effects, history.paths, (0,))[-1]
+        trial = explorer.ask()
+        explorer.tell(trial, ARM(trial.command))
+    expected = replay(adapt, explorer.history.effects, explorer.history.paths, (0,))[-1]
+    assert explorer.strategy.strategies[0].estimates == expected
 
 
-def test_answers_out_of_order_credit_whoever_asked():
-    """Effects count in the order told; each is credited to the strategy of its own trial."""
+@both_engines
+def test_answers_out_of_order_reward_the_strategy_that_asked(engine):
+    """Effects count in the order told; each is a reward for the strategy of its own trial."""
     adapt = db.Adapt([RMB(), RGB(0.05)], window=5)
-    explorer = db.Explorer(adapt, ARM.motor_space, ARM.sensory_space, rng=3)
+    explorer = db.Explorer(adapt, ARM.motor_space, ARM.sensory_space, rng=3, engine=engine)
     order, waiting = np.random.default_rng(0), []
     for _ in range(300):
         waiting.append(explorer.ask())
         while len(waiting) > order.integers(8):
             trial = waiting.pop(order.integers(len(waiting)))
             explorer.tell(trial, ARM(trial.command))
-    trial, history = explorer.ask(), explorer.history
-    believed = replay(adapt, history.effects, history.paths)[-1]
-    explorer.tell(trial, ARM(trial.command))
-    assert explorer.result().diversities[-1].tolist() == list(believed)
+    history = explorer.history
+    assert explorer.estimates == replay(adapt, history.effects, history.paths)[-1]

@@ -12,7 +12,7 @@ import divbandit as db
 
 
 def replay(adapt, effects, paths, prefix=()):
-    """Return the diversities before each step, and after the last.
+    """Return the estimates before each step, and after the last.
 
     Parameters
     ----------

@@ -367,24 +367,34 @@ class Explorer:
         self, environment: Environment, n: int, between: Callable[[], object] | None = None
     ) -> None:
         """Explore an environment for `n` evaluations; what was observed stays, whatever ends it."""
-        if not isinstance(self._driver, RustDriver):
-            for _ in range(n):
-                trial = self.ask()
-                self.tell(trial, environment(trial.command))
-                if between is not None:
-                    between()
+        driver = self._driver
+        if not isinstance(driver, RustDriver):
+            self._step_by_step(environment, n, between)
             return
+        if not self._dim_is_checked:  # the first effect tells its dimension
+            self._step_by_step(environment, 1, between)
+            n -= 1
         known = len(self.history)
         try:
-            self._driver.run(environment, n, self.rng, between)
+            driver.run(environment, n, self.rng, between)
         finally:
             made = len(self.history) - known
-            refused = ValueError() if self._driver.refused else None
+            refused = ValueError() if driver.refused else None
             self._journal.note(Event.RUN, made, raised=refused)
             self._asked += made
-            if self._driver.asked > self._asked:  # a trial whose evaluation did not end
+            if driver.asked > self._asked:  # a trial whose evaluation did not end
                 self._journal.note(Event.ASK, 0)
-                self._give_out(self._driver.under_way(self._asked))
+                self._give_out(driver.under_way(self._asked))
+
+    def _step_by_step(
+        self, environment: Environment, n: int, between: Callable[[], object] | None
+    ) -> None:
+        """Ask and tell `n` times."""
+        for _ in range(n):
+            trial = self.ask()
+            self.tell(trial, environment(trial.command))
+            if between is not None:
+                between()
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all that is needed to go on to a file, replacing it whole or not at all.

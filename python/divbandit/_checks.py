@@ -43,7 +43,7 @@ def positive(name: str, value: object) -> float:
 
 def whole(name: str, value: object, *, low: int, high: int | None = None) -> int:
     """Return `value` as an int in [low, high], or say what is wrong with it."""
-    # A plain int, the most common case, needs no look into the register of numbers.
+    # A plain int, the most common case, needs no check against the abstract class.
     if type(value) is not int and (isinstance(value, bool) or not isinstance(value, Integral)):
         raise TypeError(f"{name} must be a whole number, got {type(value).__name__}")
     number = operator.index(value)

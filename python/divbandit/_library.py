@@ -1,4 +1,4 @@
-"""What is done with every library that one may do without: find it, seed it, name its parts."""
+"""Optional libraries: import them, seed them, name their parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Recipes: values of the library as their fields, in words that JSON can write."""
+"""Recipes: values of the library as names of classes and fields, for JSON."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def recipe_of(part: object) -> Any:  # noqa: ANN401 - what JSON can write
 
 
 def made_from(recipe: Any) -> Any:  # noqa: ANN401 - what JSON can write, and any part
-    """Return the part that a recipe is of.
+    """Return the part that a recipe describes.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Value: an immutable part - what it is follows from its fields, the arguments it was made with."""
+"""Value: an immutable part, which its fields define: the arguments of its constructor."""
 
 from __future__ import annotations
 

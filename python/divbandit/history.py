@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Failure(NamedTuple):
-    """An evaluation that came to nothing: the budget is spent, there is no effect.
+    """A failed evaluation: the budget is spent, and there is no effect.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class Failure(NamedTuple):
     path : tuple of int
         Who proposed the command: indices of strategies, outermost first.
     place : int
-        How many effects were known by then.
+        How many effects had been observed by then.
 
     Examples
     --------
@@ -49,14 +49,14 @@ class Failure(NamedTuple):
 
 
 class History:
-    """All that has been tried so far, and what it led to.
+    """All commands tried so far, and their effects.
 
     Parameters
     ----------
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
-        A box in S from which goals make sense.
+        A box in S to draw goals from.
 
     Attributes
     ----------
@@ -121,12 +121,12 @@ class History:
 
     @property
     def failures(self) -> tuple[Failure, ...]:
-        """The evaluations that came to nothing, in order; they are in no other place here."""
+        """The failed evaluations, in order; `commands` and `effects` do not include them."""
         return tuple(self._failures)
 
     @property
     def effect_dim(self) -> int | None:
-        """The dimension of the effects; None until the first effect tells it."""
+        """The dimension of the effects; None until there is one."""
         return self._log.effect_dim
 
     def append(self, command: ArrayLike, effect: ArrayLike, *, path: tuple[int, ...] = ()) -> None:

@@ -91,7 +91,7 @@ class MabwiserPolicy(Value):
         parts : int
             How many there are to choose among.
         largest : float
-            What no reward exceeds; 0.0 where there is no such bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -36,7 +36,7 @@ class RewardedValue(CompositeValue):
 
     @property
     def rewarding(self) -> Reward:
-        """What strategies are paid: the gain of area of radius `tau`, or the reward given."""
+        """The reward: the gain in coverage with radius `tau`, or the one given."""
         return Gain(BallCoverage(self.tau)) if self.reward is None else self.reward  # type: ignore[arg-type]
 
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:
@@ -54,12 +54,12 @@ class RewardedValue(CompositeValue):
 
 @dataclass(frozen=True, init=False, repr=False)
 class Bandit(RewardedValue):
-    """A bandit in three parts: what is rewarded, what is remembered of it, who is chosen.
+    """A bandit in three parts: a reward, an estimator of its means, a policy that chooses.
 
     Each effect earns a *reward* for the strategy that produced it. An *estimator* holds the mean
-    reward of each, and a *policy* chooses by these estimates who proposes next. Any reward,
-    estimator and policy go together; `Adapt`, `ucb1` and others are well-known combinations. A
-    trial that failed earns 0: the choice was spent in vain.
+    reward of each, and a *policy* chooses by these estimates which strategy proposes next. Any
+    reward, estimator and policy go together; `Adapt`, `ucb1` and others are well-known
+    combinations. A failed trial earns 0.
 
     Parameters
     ----------
@@ -195,4 +195,4 @@ def _probability(probability: object) -> float | None:
         raise ValueError(
             "probability of policy.choose() must be positive for what it chose, got 0.0"
         )
-    return min(1.0, number)  # what sums and products of probabilities lead to is rounded
+    return min(1.0, number)  # sums and products of probabilities are rounded

@@ -1,4 +1,4 @@
-"""default_strategy: what to begin with, where nothing is known of the environment."""
+"""default_strategy: what to begin with, when little is known about the environment."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
-    """Return the library's own composition, which needs no more than `tau`.
+    """Return the library's own composition, which needs no parameter but `tau`.
 
     `Adapt` chooses between the two `default_strategies`, motor babbling and goals a little beyond
     what is covered, with a longer window than the paper's and in proportion to a high power of the
@@ -31,9 +31,10 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
     the paper's ADAPT, d = 0.05           1.305 +- 0.051  2.129 +- 0.110  2.639 +- 0.161
     ====================================  ==============  ==============  ==============
 
-    where discs around all that the arm can reach would cover 3.27. It is made for many motor
-    coordinates, few effect coordinates and maps that are smooth at the scale of tau. An exploration
-    of few steps gains little from it.
+    where discs around all that the arm can reach would cover 3.27. Its parameters were chosen on
+    this arm, and may not be the best elsewhere. It is made for many motor coordinates, few effect
+    coordinates and maps that are smooth at the scale of tau. An exploration of few steps gains
+    little from it.
 
     Parameters
     ----------
@@ -69,9 +70,9 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
 def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Strategy]:
     """Return what `default_strategy` chooses among, for another bandit.
 
-    Motor babbling, without which others stay where they began; and `GoalBabbling` with
-    `UntriedGoals` and `LocalJacobian`: goals a little beyond effects from which going on was tried
-    least, and short steps towards them in a linear model of the commands nearby.
+    Motor babbling, without which explorations may never leave where they began; and `GoalBabbling`
+    with `UntriedGoals` and `LocalJacobian`: goals a little beyond the effects near which the fewest
+    goals were drawn, and short steps towards them in a linear model of the commands nearby.
 
     Parameters
     ----------

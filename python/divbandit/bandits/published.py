@@ -140,10 +140,10 @@ def discounted_adapt(
 ) -> Bandit:
     """Return ADAPT with an estimator that discounts the past, and a sharper choice.
 
-    The paper's window holds a strategy's own last gains, and those of one that is seldom chosen
-    are old; and its proportional choice tells apart little where gains are alike. In the three
-    settings of figure 4 this combination was at most 1.5 % worse than the best fixed mixture, with
-    the paper's strategies and tau (``divbandit study rules``).
+    The paper's window holds a strategy's own last gains, which are old where it is seldom chosen;
+    and its proportional choice hardly separates strategies of similar gains. In the three settings
+    of figure 4 this combination was at most 1.5 % worse than the best fixed mixture, with the
+    paper's strategies and tau (``divbandit study rules``).
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ def discounted_greedy(
     tau: float | None = None,
     reward: Rewarding | None = None,
 ) -> Bandit:
-    """Return a greedy bandit that forgets: the best mean of late, but for a share of the choices.
+    """Return a greedy bandit that forgets: mostly the strategy of the best recent mean.
 
     In the three settings of figure 4 of Benureau and Oudeyer (2015) it was at most 0.5 % worse than
     the best of 21 fixed mixtures, and of all bandits here the closest to it

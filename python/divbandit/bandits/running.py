@@ -21,15 +21,15 @@ if TYPE_CHECKING:
 #: Rewards beyond this could not be summed up.
 _MOST = 1e300
 
-#: The dimension that effects are taken to have until the first of them tells it.
+#: The dimension that is assumed until the first effect.
 _PLANE = 2
 
 
 class RunningBandit(Composite):
     """Strategies under way, the reward that they are paid, and the estimator of their rewards.
 
-    What depends on the dimension of the effects starts with the first of them where that is not
-    known before. A trial that failed earns 0: the choice was spent in vain.
+    What depends on the dimension of the effects starts with the first effect, unless it is known
+    before. A failed trial earns 0.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class RunningBandit(Composite):
         if dim is None:
             try:
                 self._largest = largest_of(self._rewarding, _PLANE)
-            except ValueError:  # said when the first effect tells its dimension
+            except ValueError:  # raised with the first effect, when its dimension is known
                 self._largest = 0.0
         else:
             self._largest = largest_of(self._rewarding, dim)
@@ -78,7 +78,7 @@ class RunningBandit(Composite):
 
     @property
     def estimates(self) -> tuple[float, ...]:
-        """The mean reward of each strategy that the next choice is made by."""
+        """The mean reward of each strategy, as the next choice uses it."""
         return tuple(self.estimator.means)
 
     def reward_of(self, trial: Trial, effect: NDArray[np.float64]) -> float:
@@ -109,5 +109,5 @@ class RunningBandit(Composite):
 
 
 def largest_of(reward: Reward, dim: int) -> float:
-    """Return what no reward exceeds where effects have `dim` dimensions."""
+    """Return the upper bound of the rewards of effects of dimension `dim`."""
     return real("reward.largest()", reward.largest(dim), low=0.0, high=_MOST)

@@ -1,4 +1,4 @@
-"""Goal samplers: where goal babbling wants to get next, given all observed so far."""
+"""Goal samplers: what goal babbling aims at next, given everything observed so far."""
 
 from divbandit.goals.frontier import FrontierGoals
 from divbandit.goals.grid import GridGoals

@@ -1,4 +1,4 @@
-"""BoxedGoals: what all goal samplers share that draw in a box - their own or the sensory space."""
+"""BoxedGoals: the base of goal samplers that draw in a box, by default the sensory space."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MOST_DRAWS = 1_000_000
 
 
 class BoxedGoals(Value):
-    """Goals in a box: a description of a sampler, which `start` sets to work.
+    """Goals in a box: the description of a sampler, which `start` turns into a running one.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class BoxedGoals(Value):
             )
 
     def start(self, history: History) -> _core.GoalSampler:
-        """Return a sampler at work, for one history.
+        """Return a running sampler, for one history.
 
         Parameters
         ----------
@@ -92,7 +92,7 @@ class BoxedGoals(Value):
         return _core.GoalSampler(self)
 
     def sample(self, history: History, rng: Generator) -> NDArray[np.float64]:
-        """Draw the first goal that a sampler draws.
+        """Draw a goal as a newly started sampler would.
 
         Parameters
         ----------

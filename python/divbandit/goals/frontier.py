@@ -16,12 +16,11 @@ if TYPE_CHECKING:
 class FrontierGoals(BoxedGoals):
     """Goals that no effect covers, between `tau` and a few `tau` from one of the effects.
 
-    An effect is taken at random, and a point around it, until that is farther than `tau` from
-    every effect, at most `tries` times; then the last one is the goal. What is explored so
-    grows at its border, evenly along it. `UncoveredGoals` are mostly far away where most of the
-    box is out of reach, and those few effects that are nearest to it are then tried again and
-    again. Each point costs s + 2 times ``rng.random()``; with nothing observed yet, goals are
-    uniform in the box.
+    An effect and a point around it are drawn until the point is farther than `tau` from every
+    effect, at most `tries` times; the last point is the goal. So the covered region grows evenly
+    along its border. Where most of the box is out of reach, `UncoveredGoals` are mostly far away,
+    and the few effects nearest to them are tried again and again. Each point costs s + 2 times
+    ``rng.random()``; until something is observed, goals are uniform in the box.
 
     Parameters
     ----------

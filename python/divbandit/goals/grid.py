@@ -16,20 +16,19 @@ if TYPE_CHECKING:
 
     from divbandit.box import Box, BoxLike
 
-#: The finest grid: its cells are kept one by one.
+#: Upper limit on the number of cells, which are stored one by one.
 _MOST_CELLS = 10_000_000
 
 
 @dataclass(frozen=True, init=False, repr=False)
 class GridGoals(BoxedGoals):
-    """Goals uniform in the cells of a grid, all cells in random order, then all again.
+    """Goals uniform in the cells of a grid: each cell once, in random order, then each again.
 
-    Goals drawn uniformly leave, by chance, a third of as many cells empty; these are spread as
-    evenly at any time. Each cell has its turn whatever was observed in it: choosing the cells
-    with the fewest effects would mean choosing those that cannot be reached, for ever. Uniform
-    in the cell rather than at its centre, as an effect right there is worth no more than others,
-    and no two rounds have the same goals. A goal costs one ``rng.random()`` for the cell, then
-    one a coordinate.
+    As many uniform goals as there are cells leave, by chance, a third of the cells empty; these
+    goals are spread evenly at any time. Each cell has its turn whatever was observed in it: to
+    prefer cells with few effects would be to prefer those that cannot be reached. Goals are uniform
+    in their cell rather than at its centre, so that no two rounds have the same goals. A goal costs
+    one ``rng.random()`` for the cell, then one a coordinate.
 
     Parameters
     ----------
@@ -47,7 +46,7 @@ class GridGoals(BoxedGoals):
     Raises
     ------
     TypeError, ValueError
-        If `cells` are no such numbers, are too many or of another dimension than `box`, or `box`
+        If `cells` are not such numbers, are too many or of another dimension than `box`, or `box`
         is no box.
 
     Examples

@@ -1,4 +1,4 @@
-"""NovelGoals: of a few goals the one that is least like what was observed."""
+"""NovelGoals: of a few goals, the one farthest from all observed effects."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 class NovelGoals(BoxedGoals):
     """Of a few goals uniform in a box, the one whose nearest effect is farthest away.
 
-    It needs no scale, unlike `UncoveredGoals`; the more candidates, the more goals go where
-    effects are farthest, be it that nothing can be reached there (Mitchell 1991 draws points
-    like this, to spread them evenly). Each candidate costs one ``rng.random()`` a coordinate; with
-    nothing observed yet there is a single one.
+    Unlike `UncoveredGoals` it needs no scale. The more candidates, the more goals lie where effects
+    are farthest, even where nothing can be reached (Mitchell 1991 draws points in this way to
+    spread them evenly). Each candidate costs one ``rng.random()`` a coordinate; until something is
+    observed there is a single one.
 
     Parameters
     ----------

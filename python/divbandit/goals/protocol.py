@@ -1,4 +1,4 @@
-"""GoalSampler: what goal babbling needs to know of who draws its goals."""
+"""GoalSampler: what draws the goals of goal babbling."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class GoalSampler(Protocol):
-    """Who draws goals. Anything with this method is one; no base class is needed.
+    """Draws goals. Any object with this method will do; no base class is needed.
 
     A sampler may also have a method ``check(effect_dim, *, has_goals)``, called once before an
     exploration begins, that raises a ValueError where it cannot draw goals of that dimension (None
     if it is not known yet), or needs a sensory space and there is none. And it may have a method
-    ``start(history)`` that returns the sampler to work with in one exploration; without it, each
-    exploration works with a copy.
+    ``start(history)`` that returns the sampler for one exploration; without it, each exploration
+    uses a copy.
 
     See Also
     --------

@@ -1,4 +1,4 @@
-"""UncoveredGoals: goals where no effect is yet."""
+"""UncoveredGoals: goals that no effect covers yet."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class UncoveredGoals(BoxedGoals):
     """Goals uniform among those that no effect covers.
 
     A point of the box is drawn until it is farther than `tau` from every effect, at most `tries`
-    times; then the last one is the goal. With nothing observed yet the first is. Each point costs
-    one ``rng.random()`` a coordinate.
+    times; the last point is the goal. Until something is observed, the first one is. Each point
+    costs one ``rng.random()`` a coordinate.
 
     Parameters
     ----------

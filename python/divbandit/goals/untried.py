@@ -1,4 +1,4 @@
-"""UntriedGoals: goals beyond what is covered, where going on was tried least."""
+"""UntriedGoals: goals beyond what is covered, where the fewest were tried."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, init=False, repr=False)
 class UntriedGoals(BoxedGoals):
-    """Goals that no effect covers, near effects that few goals were near before.
+    """Uncovered goals, nearest to those effects that the fewest earlier goals were nearest to.
 
     Each effect counts the goals that it was the nearest effect of. A few uncovered goals are drawn
-    as `UncoveredGoals` draws them, and the one whose nearest effect has the least count is taken,
-    the first of several. So an effect from which nothing new was reached, be it at the border of
-    what can be reached, is left alone for others. A goal that is farther than `reach` times `tau`
-    from its nearest effect is moved straight towards it, to that distance, for an inverse model
-    that is right only nearby.
+    as `UncoveredGoals` draws them, and the one whose nearest effect has the smallest count is
+    taken, the first of several. So an effect from which nothing new is reached, as at the border of
+    the reachable space, gives way to others. A goal that is farther than `reach` times `tau` from
+    its nearest effect is moved straight towards it, to that distance, as inverse models are
+    accurate only nearby.
 
-    A goal counts when it is drawn, whatever comes of it. With nothing observed yet goals are
-    uniform in the box, and nothing is counted. Each point drawn costs one ``rng.random()`` a
+    A goal counts when it is drawn, whatever its outcome. Until something is observed, goals are
+    uniform in the box and nothing is counted. Each point drawn costs one ``rng.random()`` a
     coordinate.
 
     Parameters

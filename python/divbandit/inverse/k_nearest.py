@@ -12,9 +12,9 @@ from divbandit.inverse.kernel import MOST_NEIGHBOURS, KernelModel
 class KNearest(KernelModel):
     """The weighted mean of the commands of the `k` effects nearest to the goal, perturbed.
 
-    A command's weight is 1 over the distance of its effect from the goal (Shepard 1968); effects
-    that are the goal itself share all of it. With `k` of 1 it is `Nearest`. The mean of
-    commands that reach alike places by different ways may reach another: a small `k` mixes fewer.
+    A command's weight is 1 over the distance of its effect from the goal (Shepard 1968); effects at
+    the goal itself share all the weight. With `k` of 1 it is `Nearest`. Commands that reach similar
+    places in different ways may have a mean that reaches another place: a small `k` mixes fewer.
 
     Parameters
     ----------

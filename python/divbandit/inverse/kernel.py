@@ -1,4 +1,4 @@
-"""KernelModel: what the library's inverse models share - a compiled kernel makes their commands."""
+"""KernelModel: the base of the library's inverse models, whose kernels are compiled."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST_NEIGHBOURS = 1_000_000
 
 
 class KernelModel(Value):
-    """A description of an inverse model, which `start` sets to work.
+    """The description of an inverse model, which `start` turns into a running one.
 
     Examples
     --------
@@ -29,7 +29,7 @@ class KernelModel(Value):
     """
 
     def start(self, history: History) -> _core.InverseModel:
-        """Return a model at work, for one history.
+        """Return a running model, for one history.
 
         Parameters
         ----------
@@ -70,8 +70,8 @@ class KernelModel(Value):
         Raises
         ------
         TypeError, ValueError
-            If nothing was observed yet, or `goal` is no finite point of the sensory space; `rng` is
-            then as it was.
+            If nothing was observed yet, or `goal` is not a finite point of the sensory space; `rng`
+            is then as it was.
 
         Examples
         --------

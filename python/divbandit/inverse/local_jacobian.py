@@ -16,17 +16,16 @@ class LocalJacobian(KernelModel):
     """The command of the nearest effect, moved a little towards the goal in a linear model.
 
     The model is of the environment around that command: by how much each effect coordinate changes
-    with each motor coordinate. It is fitted to commands near it - of the `k` effects nearest to the
-    goal, beside the very nearest, the `used` whose commands are nearest to its command - so that
-    alike effects of commands that are nothing alike, of which there are many where coordinates of
-    commands outnumber those of effects, do not spoil it. Of all linear models that agree with them
-    the least is taken, in the sense of the sum of squares; directions that no neighbour lies in so
-    remain unused.
+    with each motor coordinate. It is fitted to nearby commands: of the `k` effects nearest to the
+    goal, the nearest itself excluded, the `used` whose commands are nearest to its command. So
+    similar effects of quite different commands, common where commands have more coordinates than
+    effects, do not spoil it. Of all linear models that agree with them, the one with the least sum
+    of squares is taken; directions in which no neighbour lies thus remain unused.
 
-    The step is the shortest one that the model says leads to the goal, and is shortened where it
-    is longer than `reach`: a linear model is right only nearby. What is left is perturbed
-    in proportion to the step, which keeps trying new directions for the model to learn from. Where
-    no step can be told, as with a single effect, the command is perturbed alone.
+    The step is the shortest one that the model says leads to the goal, and is shortened where it is
+    longer than `reach`: a linear model is right only nearby. What is left is perturbed in
+    proportion to the step, which keeps trying new directions for the model to learn from. Where no
+    step can be computed, as with a single effect, the command is only perturbed.
 
     All lengths of commands are shares of the motor ranges: the units of commands and effects do not
     matter. Steps are root mean squares over the motor coordinates, but for those whose range is a
@@ -39,8 +38,8 @@ class LocalJacobian(KernelModel):
     used : int
         How many commands to fit; at least 1. The cost of a command grows with its cube.
     ridge : float
-        How little the model must agree with the neighbours, a share of what they tell; positive. It
-        is larger for those farther away, by the square of their distance.
+        Regularisation, as a share of the neighbours' spread; positive. It is larger for those
+        farther away, by the square of their distance.
     reach : float
         The longest step, a share of the motor range, in [0, 1].
     noise : float

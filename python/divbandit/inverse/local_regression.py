@@ -14,11 +14,11 @@ class LocalRegression(KernelModel):
 
     The `k` effects nearest to the goal are weighted by (1 - (r / b)^2)^2, where r is the distance
     from the goal and b a quarter more than the farthest's, and a linear map with an intercept is
-    fitted to their commands (Atkeson, Moore and Schaal 1997). What it makes of the goal is brought
-    back into the motor space and perturbed.
+    fitted to their commands (Atkeson, Moore and Schaal 1997). Its value at the goal is clipped to
+    the motor space and perturbed.
 
-    A ridge keeps the map's slopes finite where effects are too few or lie on a line; of effects
-    that are all the same only the mean of the commands is left.
+    A ridge keeps the map's slopes finite where effects are too few or lie on a line; if all effects
+    are equal, only the mean of the commands is left.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ class LocalRegression(KernelModel):
     reach : float
         How far from the effects' weighted mean the map is followed, in spreads, roots of the mean
         squared distance from it; positive. Towards a goal beyond it is followed as far as that:
-        otherwise goals out of reach would mean commands in the corners of M.
+        otherwise goals out of reach would lead to commands in the corners of M.
 
     Attributes
     ----------

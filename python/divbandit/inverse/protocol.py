@@ -1,4 +1,4 @@
-"""InverseModel: what goal babbling needs to know of who turns goals into commands."""
+"""InverseModel: what turns the goals of goal babbling into commands."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class InverseModel(Protocol):
-    """Who turns goals into commands. Anything with this method is one; no base class is needed.
+    """Turns goals into commands. Any object with this method will do; no base class is needed.
 
-    A model may also have a method ``start(history)`` that returns the model to work with in one
-    exploration; without it, each exploration works with a copy.
+    A model may also have a method ``start(history)`` that returns the model for one exploration;
+    without it, each exploration uses a copy.
 
     See Also
     --------

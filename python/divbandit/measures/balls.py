@@ -20,13 +20,13 @@ class BallCoverage(Value):
     tau : float
         Radius of the balls, in the units of the effects, in [1e-100, 1e100].
     accuracy : float
-        For estimates: the standard error that a gain is to have at most, as a share of a ball's
-        measure, in (0, 1).
+        For estimates: upper limit on the standard error of a gain, as a share of a ball's measure,
+        in (0, 1).
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is no number in its range.
+        If an argument is not a number in its range.
 
     See Also
     --------
@@ -60,7 +60,7 @@ class BallCoverage(Value):
         Raises
         ------
         TypeError, ValueError
-            If balls of this dimension have no measure that a number can hold.
+            If the measure of a ball of this dimension is beyond the range of floats.
 
         Examples
         --------

@@ -40,9 +40,9 @@ class Loop:
     Raises
     ------
     TypeError, ValueError
-        If `arcs` is no finite array of this shape with at least one row, an arc does not go
-        counter-clockwise, or `tau` is no radius. That each arc ends where the next one begins
-        is not checked.
+        If `arcs` is not a finite array of this shape with at least one row, an arc does not go
+        counter-clockwise, or `tau` is not a radius. That each arc ends where the next one begins is
+        not checked.
 
     See Also
     --------
@@ -111,7 +111,7 @@ class Loop:
         Raises
         ------
         TypeError, ValueError
-            If `quad_segs` is no whole number in that range.
+            If `quad_segs` is not a whole number in that range.
 
         Examples
         --------
@@ -169,14 +169,14 @@ def to_shapely(loops: Iterable[Loop], *, quad_segs: int = 16) -> shapely.Polygon
     shapely.Polygon or shapely.MultiPolygon
         The latter if there are several outer loops; an empty polygon if there are none. Where
         loops all but touch, rounding may make it invalid in shapely's sense;
-        ``shapely.make_valid`` mends that.
+        ``shapely.make_valid`` repairs that.
 
     Raises
     ------
     ImportError
         If shapely is not installed.
     TypeError, ValueError
-        If an element is no Loop, `quad_segs` is out of range or a hole lies in no outer loop.
+        If an element is not a Loop, `quad_segs` is out of range or a hole lies in no outer loop.
 
     Examples
     --------
@@ -224,7 +224,7 @@ def to_shapely(loops: Iterable[Loop], *, quad_segs: int = 16) -> shapely.Polygon
 
 
 def _as_arcs(arcs: ArrayLike) -> NDArray[np.float64]:
-    """Return arcs as a read-only array of one's own, or say what is wrong with them."""
+    """Return arcs as a new, read-only array, or say what is wrong with them."""
     try:
         rows = np.array(arcs, dtype=np.float64)
     except (TypeError, ValueError) as error:

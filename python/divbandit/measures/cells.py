@@ -1,4 +1,4 @@
-"""Cells: the edges and the corner of a grid, as its measures are given them."""
+"""Cells: the edges and the origin of a grid, as arguments of its measures."""
 
 from __future__ import annotations
 

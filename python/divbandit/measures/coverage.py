@@ -40,12 +40,12 @@ class Coverage(_core.Coverage):
     dim : int
         Dimension of the effects, from 1 to 32.
     accuracy : float
-        For estimates: the standard error that a gain is to have at most, as a share of a ball's
-        measure, in (0, 1). Half of it takes some two to four times as long. No gain uses more
-        than 262,144 rays; where those do not suffice, its standard error says so.
+        For estimates: upper limit on the standard error of a gain, as a share of a ball's measure,
+        in (0, 1). Half of it takes some two to four times as long. No gain uses more than 262,144
+        rays; where those do not suffice, its standard error says so.
     rng : None, int, SeedSequence or Generator
-        For estimates: what all randomness comes from. One number is drawn from it, here, and
-        nothing if gains are exact.
+        For estimates: the source of all randomness. One number is drawn from it at once, and none
+        if gains are exact.
 
     Attributes
     ----------
@@ -63,14 +63,14 @@ class Coverage(_core.Coverage):
     effects : numpy.ndarray of float64, shape (n, dim)
         All effects in order; read-only, a copy.
     gains : numpy.ndarray of float64, shape (n,)
-        What each gained when it came; read-only, a copy.
+        The gain of each when it was added; read-only, a copy.
     standard_errors : numpy.ndarray of float64, shape (n,)
         That of each gain; read-only, a copy.
 
     Raises
     ------
     TypeError, ValueError
-        If `tau` is not in [1e-100, 1e100] or its balls have no measure that a number can hold,
+        If `tau` is not in [1e-100, 1e100] or the measure of a ball is beyond the range of floats,
         or another argument is out of range.
 
     Examples
@@ -111,7 +111,7 @@ class Coverage(_core.Coverage):
         Returns
         -------
         tuple of Loop
-            Those of no effects are none. Loops shorter than a billionth of tau are left out.
+            Empty without effects. Loops shorter than a billionth of tau are left out.
 
         Raises
         ------
@@ -168,7 +168,7 @@ class Coverage(_core.Coverage):
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
-        """Read what was saved: it goes on exactly as the one that was saved would.
+        """Read a saved Coverage, which continues exactly as the original would.
 
         Parameters
         ----------
@@ -192,7 +192,7 @@ class Coverage(_core.Coverage):
         return _files.read(path, _FORMAT, _VERSION, cls._from_log, writer="Coverage.save")
 
     def _log(self) -> dict[str, NDArray[Any]]:
-        """Return all that makes it what it is, as arrays."""
+        """Return the whole state as arrays."""
         return {
             "ball": np.array([self.tau, self.accuracy]),
             "dim_and_key": np.array([self.dim, self._key], dtype=np.int64),
@@ -203,7 +203,7 @@ class Coverage(_core.Coverage):
 
     @classmethod
     def _from_log(cls, log: dict[str, NDArray[Any]]) -> Self:
-        """Make one of what `_log` returned, or say what is wrong with it."""
+        """Restore a Coverage from what `_log` returned, or say what is wrong with it."""
         tau, accuracy = _files.array(log, "ball", np.float64, (2,)).tolist()
         dim, key = _files.array(log, "dim_and_key", np.int64, (2,)).tolist()
         cov = _core.Coverage.__new__(cls, tau, dim, accuracy, key)
@@ -214,7 +214,7 @@ class Coverage(_core.Coverage):
         return cov
 
     def __copy__(self) -> Self:
-        """Copy all that it holds: a copy goes its own way."""
+        """Return an independent copy."""
         cov = _core.Coverage.__new__(type(self), self.tau, self.dim, self.accuracy, self._key)
         cov._become(self)  # noqa: SLF001 - its own
         return cov
@@ -260,7 +260,7 @@ def coverage(effects: ArrayLike, tau: float, *, accuracy: float = 1e-3, rng: Rng
     Raises
     ------
     TypeError, ValueError
-        If one is no finite point, or another argument is not what `Coverage` takes.
+        If an effect is not a finite point, or another argument is not what `Coverage` takes.
 
     Examples
     --------
@@ -276,9 +276,9 @@ def coverage(effects: ArrayLike, tau: float, *, accuracy: float = 1e-3, rng: Rng
 
 
 def _dim(effects: ArrayLike) -> int:
-    """Return the dimension of points of shape (n, dim), or 2 for what are none.
+    """Return the dimension of points of shape (n, dim), or 2 for anything else.
 
-    Whatever else is wrong with them is said by who reads them.
+    Other errors are raised where the points are read.
     """
     try:
         shape = np.shape(effects)

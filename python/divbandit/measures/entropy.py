@@ -24,11 +24,11 @@ class Entropy(Value):
     Theoretic Approach", PPSN XI, 334-343) reward the entropy of the states that a robot visits;
     they find those states by clustering, here they are the cells of a grid.
 
-    The gain of an effect is the change of the entropy. It is negative where the effect falls
-    into a cell that is fuller than most, and shrinks with the number n of effects, at most
-    about log(n) / n: with `Adapt` take a window short beside the length of a run. Adapt counts
-    a negative mean gain as 0 when it chooses. The largest gain is that of the second effect where
-    it lies in another cell than the first: log 2.
+    The gain of an effect is the change of the entropy. It is negative where the effect falls into a
+    cell that is fuller than most, and shrinks with the number n of effects, at most about log(n) /
+    n: with `Adapt`, choose a window that is short compared with the run. Adapt counts a negative
+    mean gain as 0 when it chooses. The largest gain is that of the second effect where it lies in
+    another cell than the first: log 2.
 
     Parameters
     ----------
@@ -41,8 +41,8 @@ class Entropy(Value):
     Raises
     ------
     TypeError, ValueError
-        If `cell` is not positive, or an argument is no number, nor some. Later, if an effect lies
-        so many cells away that no float can count them.
+        If `cell` is not positive, or an argument is neither a number nor a sequence of numbers.
+        Later, if an effect lies too many cells away for a float to count.
 
     See Also
     --------

@@ -37,8 +37,8 @@ class GridCoverage(Value):
     Raises
     ------
     TypeError, ValueError
-        If `cell` is not positive, or an argument is no number, nor some. Later, if an effect lies
-        so many cells away that no float can count them.
+        If `cell` is not positive, or an argument is neither a number nor a sequence of numbers.
+        Later, if an effect lies too many cells away for a float to count.
 
     See Also
     --------

@@ -1,4 +1,4 @@
-"""Measure: what a bandit, or an evaluation, needs to know of a measure of diversity."""
+"""Measure: what bandits and evaluations require of a measure of diversity."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 class Measure(Protocol):
     """A way to say how diverse effects are; `start` makes a running measure of it.
 
-    Anything with this method is one; no base class is needed. A measure of your own is copied
-    (``copy.deepcopy``, which any plain class supports) before it is started, so `start` may set
-    the object up and return it.
+    Any object with this method will do; no base class is needed. A user-defined measure is copied
+    (``copy.deepcopy``, which any plain class supports) before it is started, so `start` may prepare
+    the object and return it.
 
     See Also
     --------
@@ -105,9 +105,9 @@ class RunningMeasure(Protocol):
 
     @property
     def largest_gain(self) -> float:
-        """What no gain exceeds; 0.0 where there is no such bound. Finite, not negative.
+        """Upper bound of the gains; 0.0 if there is none. Finite, not negative.
 
-        It is the gain that a bandit pretends each strategy began with, its head start.
+        Bandits take it for the head start of each strategy.
         """
 
     def add(self, effect: ArrayLike, /) -> float:
@@ -125,7 +125,7 @@ class RunningMeasure(Protocol):
         Raises
         ------
         TypeError, ValueError
-            If it is no finite point of this dimension; nothing is added then.
+            If it is not a finite point of this dimension; nothing is added then.
 
         Examples
         --------
@@ -145,12 +145,12 @@ class RunningMeasure(Protocol):
         Returns
         -------
         numpy.ndarray of float64, shape (n,)
-            The very numbers that as many calls of `add` return.
+            The same numbers as from `n` calls of `add`.
 
         Raises
         ------
         TypeError, ValueError
-            If one is no finite point of this dimension; nothing is added then.
+            If one is not a finite point of this dimension; nothing is added then.
 
         Examples
         --------
@@ -174,7 +174,7 @@ class RunningMeasure(Protocol):
         Raises
         ------
         TypeError, ValueError
-            If one is no finite point of this dimension.
+            If one is not a finite point of this dimension.
 
         Examples
         --------

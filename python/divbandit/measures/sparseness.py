@@ -19,17 +19,14 @@ class Sparseness(Value):
 
     The gain of an effect is its sparseness, the mean Euclidean distance to the k nearest effects
     among all that were added before it (Lehman and Stanley 2008, "Exploiting Open-Endedness to
-    Solve Problems Through the Search for Novelty", ALIFE XI; 2011, Evolutionary Computation
-    19(2), 189-223). With fewer than k known it is the mean over those; the first effect of all
-    gains 0.0, as there is nothing that it could be far from.
+    Solve Problems Through the Search for Novelty", ALIFE XI; 2011, Evolutionary Computation 19(2),
+    189-223). With fewer than k known it is the mean over those; the first effect gains 0.0.
 
     The measure is the sum of these gains. It depends on the order of the effects, and it never
-    stops growing: it says how much novelty an exploration went through, not how much space it
-    covered.
+    stops growing: it says how much novelty an exploration met, not how much space it covered.
 
-    Gains have no bound, so `largest_gain` is 0.0, and a bandit has no head start to give: it
-    chooses uniformly until a strategy gains, from then on a strategy that was not tried yet
-    by the share alpha alone.
+    Gains have no bound, so `largest_gain` is 0.0 and a bandit gives no head start: it chooses
+    uniformly until a strategy gains, and strategies not tried by then only by the share alpha.
 
     Parameters
     ----------
@@ -39,7 +36,7 @@ class Sparseness(Value):
     Raises
     ------
     TypeError, ValueError
-        If `k` is no whole number in its range. Later, if a coordinate of an effect is beyond
+        If `k` is not a whole number in its range. Later, if a coordinate of an effect is beyond
         1e150: distances are found by their squares.
 
     Examples
@@ -69,7 +66,7 @@ class Sparseness(Value):
         Raises
         ------
         TypeError, ValueError
-            If `dim` is no whole number in its range.
+            If `dim` is not a whole number in its range.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Starting a measure: the library's as it is, a user's as a copy of its own."""
+"""Starting a measure: the library's as it is, a copy of a user's."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def check_measure(name: str, value: object) -> Measure:
         ...
     TypeError: measure must be a Measure, such as BallCoverage(0.02), got Coverage
     """
-    # A class has all the names that an instance has.
+    # `isinstance` with a Protocol also accepts classes.
     if isinstance(value, type) or not isinstance(value, Measure):
         kind = f"the class {value.__name__}" if isinstance(value, type) else type(value).__name__
         raise TypeError(f"{name} must be a Measure, such as BallCoverage(0.02), got {kind}")

@@ -23,8 +23,8 @@ Part = TypeVar("Part")
 class Strategy(ABC):
     """A way to explore: derive from it and write `propose`.
 
-    A strategy sees all that was observed so far, in the history, whoever proposed it. It may keep
-    state in its attributes: an exploration works on a deep copy.
+    A strategy sees everything observed so far, in the history, whichever strategy proposed it. It
+    may keep state in its attributes: an exploration works on a deep copy.
 
     Examples
     --------
@@ -74,13 +74,12 @@ class Strategy(ABC):
         Parameters
         ----------
         trial : Trial
-            The very one that `propose` returned (made from its command if it returned that).
+            The one that `propose` returned, or was made from the command that it returned.
         effect : numpy.ndarray, shape (s,)
 
         Examples
         --------
-        What a user-defined strategy has learned is read in ``explorer.strategy``, the explorer's
-        own copy.
+        The explorer's copy, ``explorer.strategy``, has what a user-defined strategy learned.
 
         >>> import divbandit as db
         >>> class Watchful(db.Strategy):
@@ -101,7 +100,7 @@ class Strategy(ABC):
         Parameters
         ----------
         trial : Trial
-            The very one that `propose` returned (made from its command if it returned that).
+            The one that `propose` returned, or was made from the command that it returned.
         reason : str
 
         Examples
@@ -120,7 +119,7 @@ class Strategy(ABC):
         """
 
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:  # noqa: B027
-        """Raise a ValueError if this strategy cannot explore such an environment.
+        """Raise a ValueError if this strategy cannot explore an environment of this kind.
 
         Called before an exploration begins, so that nothing is lost half-way.
 
@@ -160,7 +159,7 @@ class Strategy(ABC):
 
     @property
     def estimates(self) -> tuple[float, ...] | None:
-        """What a bandit under way believes of each of its strategies; None for all others."""
+        """A running bandit's estimates of its strategies; None for other strategies."""
         return None
 
     def __repr__(self) -> str:
@@ -173,7 +172,7 @@ class StrategyValue(Value, Strategy):
     __repr__ = Value.__repr__
 
     def propose(self, history: History, rng: Generator) -> Trial:
-        """Propose as right after the start.
+        """Propose as a newly started strategy would.
 
         Parameters
         ----------
@@ -192,12 +191,12 @@ class StrategyValue(Value, Strategy):
 
 
 class Starter:
-    """Starts the strategies of one exploration; one that stands in two places is started once.
+    """Starts the strategies of one exploration; one that occurs twice is started once.
 
     Parameters
     ----------
     history : History
-        That of the exploration.
+        The history of the exploration.
 
     Attributes
     ----------
@@ -219,7 +218,7 @@ class Starter:
         self._copies: dict[int, Any] = {}
 
     def __call__(self, strategy: Strategy) -> Strategy:
-        """Return what runs in place of a strategy."""
+        """Return the running counterpart of a strategy."""
         if id(strategy) not in self._started:
             self._started[id(strategy)] = (strategy, strategy.start(self))
         return self._started[id(strategy)][1]
@@ -233,7 +232,7 @@ class Starter:
         return part if isinstance(part, Value) else self.copy_of(part)
 
     def part(self, part: Any, *arguments: object) -> Any:  # noqa: ANN401 - of any kind
-        """Start a part that is no strategy: a value, or a deep copy of a user's.
+        """Start a part that is not a strategy: a value, or a deep copy of a user's part.
 
         Examples
         --------

@@ -33,7 +33,7 @@ class Composite(Strategy):
     Attributes
     ----------
     strategies : tuple of Strategy
-        As given; during an exploration, what runs in their place.
+        As given; during an exploration, their running counterparts.
 
     Raises
     ------
@@ -66,7 +66,7 @@ class Composite(Strategy):
         Returns
         -------
         int, or a pair (int, float or None)
-            With the probability with which it was chosen, where that is known.
+            The index, and the probability with which it was chosen if that is known.
         """
 
     def propose(self, history: History, rng: Generator) -> Trial:
@@ -91,7 +91,7 @@ class Composite(Strategy):
             strategy.check(motor_space, effect_dim, has_goals=has_goals)
 
     def start(self, start: Starter) -> Strategy:
-        """Return a deep copy over the parts that run."""
+        """Return a deep copy that holds the started parts."""
         running = start.copy_of(self)
         running.strategies = tuple(map(start, self.strategies))
         return running

@@ -26,10 +26,9 @@ _D = 0.05
 class GoalBabbling(StrategyValue):
     """Random goal babbling, RGB(d) (Benureau and Oudeyer 2015, figure 2).
 
-    A goal is drawn uniformly, and the inverse model turns it into a command: that of the
-    observed effect nearest to the goal, perturbed by up to the share `d` of each motor range.
-    Goals may be drawn in other ways, and other inverse models take them. With nothing observed
-    yet, it babbles in M.
+    A goal is drawn uniformly, and the inverse model turns it into a command: that of the observed
+    effect nearest to the goal, perturbed by up to the share `d` of each motor range. `goals` and
+    `inverse` put others in place of either. Until something is observed, it babbles in M.
 
     Parameters
     ----------
@@ -153,7 +152,7 @@ def _sampler_of(value: object) -> GoalSampler:
 
 
 def _is_one(value: object, protocol: type) -> bool:
-    """Say whether it has the methods of a protocol; a class has them too, but is none."""
+    """Return whether an object, not a class, has the methods of a protocol."""
     return isinstance(value, protocol) and not isinstance(value, type)
 
 

@@ -62,7 +62,7 @@ class Mixture(CompositeValue):
         self._set(strategies=every, weights=tuple(given.tolist()))
 
     def start(self, start: Starter) -> Strategy:
-        """Return the mixture over the parts that run."""
+        """Return a mixture of the started parts."""
         return _Mixing(map(start, self.strategies), self.weights)
 
 

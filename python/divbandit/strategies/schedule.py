@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 class Schedule(CompositeValue):
     """Each strategy for a number of steps, then the next.
 
-    Figure 2 of the paper babbles in M for 10 steps before it babbles goals. Steps are the
-    schedule's own proposals, also where it is a part of another strategy.
+    Figure 2 of the paper babbles in M for 10 steps before it babbles goals. Steps count the
+    schedule's own proposals, even where it is part of another strategy.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class Schedule(CompositeValue):
     Raises
     ------
     TypeError, ValueError
-        If a phase is no such pair, there is none, or one before the last never ends.
+        If a phase is not such a pair, there are no phases, or one before the last never ends.
 
     Examples
     --------
@@ -67,7 +67,7 @@ class Schedule(CompositeValue):
         self._set(phases=tuple(pairs), strategies=strategies)
 
     def start(self, start: Starter) -> Strategy:
-        """Return the schedule at its beginning, over the parts that run."""
+        """Return the schedule at its beginning, with the started parts."""
         return _Progress(map(start, self.strategies), [steps for steps, _ in self.phases])
 
 

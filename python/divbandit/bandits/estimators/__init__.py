@@ -1,4 +1,4 @@
-"""Estimators: what a bandit remembers of the rewards that its strategies earned."""
+"""Estimators: the mean rewards of a bandit's strategies, over all or recent rewards."""
 
 from divbandit.bandits.estimators.discounted import Discounted
 from divbandit.bandits.estimators.protocol import Estimates, Estimator

@@ -24,9 +24,8 @@ class Discounted(Value):
     gamma : float
         In (0, 1]; with 1 nothing is forgotten. About 1 / (1 - gamma) rewards count.
     head_start : int
-        How many fictitious rewards, each the largest possible, each strategy begins with: told one
-        after the other, in order, before all others, and faded like these. Where rewards have no
-        bound they are 0.0.
+        How many fictitious rewards, each the largest possible, each strategy begins with. They come
+        before all other rewards, in order, and fade like these; 0.0 where rewards have no bound.
 
     Attributes
     ----------
@@ -36,7 +35,8 @@ class Discounted(Value):
     Raises
     ------
     TypeError, ValueError
-        If `gamma` is no number in (0, 1], or `head_start` is no whole number from 0 to a million.
+        If `gamma` is not a number in (0, 1], or `head_start` not a whole number from 0 to a
+        million.
 
     Examples
     --------
@@ -59,13 +59,13 @@ class Discounted(Value):
         )
 
     def start(self, parts: int, largest: float) -> _core.Estimator:
-        """Return the means of so many strategies, with no rewards but the head starts.
+        """Return an estimator for `parts` strategies, with the head starts alone.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Estimator: what a bandit needs to know of that by which it remembers rewards."""
+"""Estimator: what a bandit requires of an estimator of its strategies' rewards."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class Estimates(Protocol):
-    """What an estimator has started: the mean reward of each strategy, and how sure it is.
+    """A running estimator: the mean reward of each strategy, and its weight.
 
     Attributes
     ----------
     means : sequence of float
         The mean reward of each strategy, in order; 0.0 where none is remembered.
     counts : sequence of float
-        Of how many rewards each mean is, or of what weight all together. 0 for a strategy that is
-        as good as never tried.
+        The number of rewards behind each mean, or their total weight; 0 for a strategy that counts
+        as never tried.
     largest : float
-        What no reward exceeds. Where there is no such bound, the largest absolute reward so far.
+        Upper bound of the rewards; where there is none, the largest absolute reward so far.
 
     Examples
     --------
@@ -38,11 +38,11 @@ class Estimates(Protocol):
 
     @property
     def counts(self) -> Sequence[float]:
-        """Of how many rewards each mean is."""
+        """The number of rewards behind each mean."""
 
     @property
     def largest(self) -> float:
-        """What no reward exceeds, or has exceeded so far."""
+        """Upper bound of the rewards, or of those so far."""
 
     def add(self, part: int, reward: float, /) -> None:
         """Remember a reward of a strategy.
@@ -65,10 +65,10 @@ class Estimates(Protocol):
 
 @runtime_checkable
 class Estimator(Protocol):
-    """How the rewards of strategies are remembered.
+    """How the mean rewards of strategies are estimated.
 
-    Anything with a method `start` is one; no base class is needed. Each exploration starts a deep
-    copy, so `start` may also set the object itself up and return it.
+    Any object with a method `start` will do; no base class is needed. Each exploration starts a
+    deep copy, so `start` may prepare the object itself and return it.
 
     See Also
     --------
@@ -97,16 +97,16 @@ class Estimator(Protocol):
     """
 
     def start(self, parts: int, largest: float, /) -> Estimates:
-        """Return what remembers rewards, with none of them remembered yet.
+        """Return a running estimator that has no rewards yet.
 
-        Called again should the first effect, by its dimension, tell of another `largest`.
+        Called again if the dimension of the first effect leads to another `largest`.
 
         Parameters
         ----------
         parts : int
             How many strategies there are.
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Returns
         -------

@@ -16,7 +16,7 @@ class RecentWindow(Value):
 
     The estimator of SW-UCB (Garivier and Moulines 2008, "On Upper-Confidence Bound Policies for
     Non-Stationary Bandit Problems"; 2011, ALT, 174-188). A strategy that was not chosen for `size`
-    steps is as good as never tried. Means are exact before they are rounded once.
+    steps counts as never tried. Means are rounded only once.
 
     Parameters
     ----------
@@ -48,13 +48,13 @@ class RecentWindow(Value):
         self._set(size=whole("size", size, low=1, high=LONGEST))
 
     def start(self, parts: int, largest: float) -> _core.Estimator:
-        """Return an empty window, of so many strategies.
+        """Return an empty window for `parts` strategies.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

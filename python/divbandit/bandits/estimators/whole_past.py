@@ -12,8 +12,8 @@ from divbandit._value import Value
 class WholePast(Value):
     """The mean of all rewards that each strategy ever earned.
 
-    For where strategies stay as good as they are. Gains of new effects shrink as an exploration
-    goes on; there the other estimators do better. Means are exact before they are rounded once.
+    For strategies that stay equally good. Gains shrink as an exploration proceeds; the other
+    estimators suit them better. Means are rounded only once.
 
     Examples
     --------
@@ -29,13 +29,13 @@ class WholePast(Value):
         pass
 
     def start(self, parts: int, largest: float) -> _core.Estimator:
-        """Return the means of so many strategies, with no rewards yet.
+        """Return an estimator for `parts` strategies, without rewards.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

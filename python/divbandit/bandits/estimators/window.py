@@ -8,7 +8,7 @@ from divbandit import _core
 from divbandit._checks import whole
 from divbandit._value import Value
 
-#: The longest window: its rewards are kept one by one.
+#: Upper limit on the window, all of whose rewards are stored.
 LONGEST = 1_000_000
 
 
@@ -16,10 +16,9 @@ LONGEST = 1_000_000
 class Window(Value):
     """The mean of the last `size` rewards of each strategy, whenever it earned them.
 
-    Benureau and Oudeyer 2015. What a strategy that is hardly ever chosen did long ago counts until
-    it is chosen again; `RecentWindow` and `Discounted` forget with time. The sum that a mean is
-    made of is exact before it is rounded once: it depends on nothing but what is in the window, and
-    never drifts.
+    Benureau and Oudeyer 2015. The old rewards of a strategy that is seldom chosen count until it is
+    chosen again; `RecentWindow` and `Discounted` forget with time. Means are rounded only once:
+    they depend on the rewards in the window alone, and never drift.
 
     Parameters
     ----------
@@ -58,13 +57,13 @@ class Window(Value):
         self._set(size=size, head_start=whole("head_start", head_start, low=0, high=size))
 
     def start(self, parts: int, largest: float) -> _core.Estimator:
-        """Return windows of so many strategies, with nothing but the head starts in them.
+        """Return windows for `parts` strategies, with the head starts alone.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Policies: how a bandit chooses, given what it remembers of its strategies' rewards."""
+"""Policies: how a bandit chooses, given the estimates of its strategies' rewards."""
 
 from divbandit.bandits.policies.epsilon_greedy import EpsilonGreedy
 from divbandit.bandits.policies.exp3 import Exp3

@@ -1,4 +1,4 @@
-"""EpsilonGreedy: the strategy with the best mean reward, but for a share of random choices."""
+"""EpsilonGreedy: the strategy with the best mean reward, except for random choices."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from divbandit._value import Value
 class EpsilonGreedy(Value):
     """With probability epsilon uniformly at random, else the best mean reward.
 
-    Sutton and Barto (2018, "Reinforcement Learning: An Introduction", section 2.2). Of several
-    best ones each is as likely. Two draws a choice, always.
+    Sutton and Barto (2018, "Reinforcement Learning: An Introduction", section 2.2). Ties are broken
+    uniformly. Always two draws a choice.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ class EpsilonGreedy(Value):
     Raises
     ------
     TypeError, ValueError
-        If `epsilon` is no number in [0, 1].
+        If `epsilon` is not a number in [0, 1].
 
     Examples
     --------
@@ -46,13 +46,13 @@ class EpsilonGreedy(Value):
         self._set(epsilon=real("epsilon", epsilon, low=0.0, high=1.0))
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies.
+        """Return the policy for `parts` strategies.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Exp3: weights that grow exponentially with rewards, whatever these come from."""
+"""Exp3: weights that grow exponentially with rewards, for adversarial rewards."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class Exp3(Value):
     SIAM Journal on Computing 32(1), 48-77, figure 1). A strategy that earned x, when it had been
     chosen with probability p, has its weight multiplied by exp(gamma (x / p) / K). x is the reward
     as a share of the largest, within [0, 1]; where rewards have no bound, of the largest absolute
-    one so far. The bandit's estimator is for others to look at: this policy keeps weights itself,
-    and no head start counts. One draw a choice.
+    one so far. This policy keeps its own weights; the bandit's estimator, with its head start, does
+    not influence it. One draw a choice.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ class Exp3(Value):
     Raises
     ------
     TypeError, ValueError
-        If `gamma` is no number in (0, 1].
+        If `gamma` is not a number in (0, 1].
 
     Examples
     --------
@@ -52,13 +52,13 @@ class Exp3(Value):
         self._set(gamma=real("gamma", gamma, low=0.0, high=1.0))
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies, all with equal weights.
+        """Return the policy for `parts` strategies, all with equal weights.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Exp3S: Exp3 that follows when another strategy becomes the best."""
+"""Exp3S: Exp3 that adapts when another strategy becomes the best."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Exp3S(Value):
     Raises
     ------
     TypeError, ValueError
-        If `gamma` or `alpha` is no number in (0, 1].
+        If `gamma` or `alpha` is not a number in (0, 1].
 
     Examples
     --------
@@ -61,13 +61,13 @@ class Exp3S(Value):
         )
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies, all with equal weights.
+        """Return the policy for `parts` strategies, all with equal weights.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

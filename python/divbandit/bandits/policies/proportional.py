@@ -15,7 +15,7 @@ class Proportional(Value):
 
     Benureau and Oudeyer 2015. With K strategies of mean rewards m_j (a negative one counts as 0)
     strategy j is chosen with probability alpha / K + (1 - alpha) m_j^power / (sum of m_i^power);
-    with 1 / K where no mean is positive. Two draws a choice, always.
+    with 1 / K where no mean is positive. Always two draws a choice.
 
     Parameters
     ----------
@@ -55,13 +55,13 @@ class Proportional(Value):
         )
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies.
+        """Return the policy for `parts` strategies.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Policy: what a bandit needs to know of that by which it chooses."""
+"""Policy: what a bandit requires of a policy."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class RunningPolicy(Protocol):
-    """What a policy has started: it says which strategy is to propose next.
+    """A running policy, which chooses the strategy that proposes next.
 
-    One that learns by itself has ``learn(part, reward, probability)`` as well: it is called for
-    each reward, after the estimator's `add`, with the probability with which `choose` had chosen
-    that trial's strategy (None if it did not say). Trials may be told late and in any order; one
-    that failed has reward 0.
+    A policy that learns by itself also has ``learn(part, reward, probability)``, which is called
+    for each reward, after the estimator's `add`, with the probability with which `choose` chose
+    that trial's strategy (None if not given). Trials may be told late and in any order; a failed
+    one has reward 0.
 
     Examples
     --------
@@ -27,19 +27,19 @@ class RunningPolicy(Protocol):
     """
 
     def choose(self, estimates: Estimates, rng: Generator, /) -> int | tuple[int, float | None]:
-        """Return the index of the strategy that is to propose next.
+        """Return the index of the strategy that proposes next.
 
         Parameters
         ----------
         estimates : Estimates
-            The mean reward of each strategy, and how sure it is.
+            The mean reward of each strategy, and its weight.
         rng : numpy.random.Generator
             The only source of randomness to use, by ``rng.random()``.
 
         Returns
         -------
         int, or a pair (int, float)
-            With the probability with which it was chosen, where the policy knows it.
+            The index, and the probability with which it was chosen if the policy knows it.
 
         Examples
         --------
@@ -55,10 +55,10 @@ class RunningPolicy(Protocol):
 
 @runtime_checkable
 class Policy(Protocol):
-    """How it is chosen which strategy is to propose next.
+    """How the strategy that proposes next is chosen.
 
-    Anything with a method `start` is one; no base class is needed. Each exploration starts a deep
-    copy, so `start` may also set the object itself up and return it.
+    Any object with a method `start` will do; no base class is needed. Each exploration starts a
+    deep copy, so `start` may prepare the object itself and return it.
 
     See Also
     --------
@@ -86,16 +86,16 @@ class Policy(Protocol):
     """
 
     def start(self, parts: int, largest: float, /) -> RunningPolicy:
-        """Return what chooses, with nothing learned yet.
+        """Return a running policy that has learned nothing yet.
 
-        Called again should the first effect, by its dimension, tell of another `largest`.
+        Called again if the dimension of the first effect leads to another `largest`.
 
         Parameters
         ----------
         parts : int
             How many strategies there are.
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Returns
         -------

@@ -10,7 +10,7 @@ from divbandit._value import Value
 
 @dataclass(frozen=True, init=False, repr=False)
 class RoundRobin(Value):
-    """Each strategy in turn, whatever it earned: what the other policies must beat. No draws.
+    """Each strategy in turn, whatever it earned: a baseline for other policies. No draws.
 
     Examples
     --------
@@ -26,13 +26,13 @@ class RoundRobin(Value):
         pass
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies, the first of which comes first.
+        """Return the policy for `parts` strategies, beginning with the first.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

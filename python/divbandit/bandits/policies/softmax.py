@@ -33,7 +33,7 @@ class Softmax(Value):
     Raises
     ------
     TypeError, ValueError
-        If `temperature` is no positive number, or `scaled` neither True nor False.
+        If `temperature` is not a positive number, or `scaled` neither True nor False.
 
     Examples
     --------
@@ -53,13 +53,13 @@ class Softmax(Value):
         self._set(temperature=positive("temperature", temperature), scaled=truth("scaled", scaled))
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies.
+        """Return the policy for `parts` strategies.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

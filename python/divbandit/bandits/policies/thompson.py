@@ -15,8 +15,8 @@ class Thompson(Value):
     Thompson sampling with Gaussian posteriors (Agrawal and Goyal 2013, "Further Optimal Regret
     Bounds for Thompson Sampling", AISTATS, 99-107), where m_j is the mean reward of strategy j and
     n_j of how many rewards; theirs divides the sum of rewards by n_j + 1. B is the largest reward
-    or, where rewards have no bound, the largest absolute one so far; 1 while there is none. As many
-    draws a choice as there are strategies, in order.
+    or, where rewards have no bound, the largest absolute one so far; 1 while there is none. Each
+    choice draws once for each strategy, in order.
 
     Examples
     --------
@@ -33,13 +33,13 @@ class Thompson(Value):
         pass
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies.
+        """Return the policy for `parts` strategies.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""UCB: the strategy whose mean reward could be the best, given how little is known of it."""
+"""UCB: the strategy with the largest upper confidence bound on its mean reward."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from divbandit._value import Value
 class UCB(Value):
     """The strategy j with the largest m_j + B sqrt(xi ln(n) / n_j).
 
-    m_j is the mean reward that the estimator holds of it and n_j of how many rewards that is, n the
-    sum of all n_j; B is the largest reward or, where rewards have no bound, the largest absolute
-    one so far. It depends on the estimator which of the published policies this is:
+    m_j is its mean reward by the estimator, n_j the number of rewards behind that, n the sum of all
+    n_j; B is the largest reward or, where rewards have no bound, the largest absolute one so far.
+    The estimator decides which published policy this is:
 
     - with `WholePast`, UCB1 for xi = 2: m_j + B sqrt(2 ln t / n_j) (Auer, Cesa-Bianchi and Fischer
       2002, "Finite-time Analysis of the Multiarmed Bandit Problem", Machine Learning 47, 235-256);
@@ -24,18 +24,17 @@ class UCB(Value):
     - with `Discounted`, D-UCB of the same paper, m_j + 2 B sqrt(xi ln(n) / n_j), where a factor of
       2 before the root is one of 4 within: ``UCB(4 * xi)``.
 
-    `ucb1`, `sliding_window_ucb` and `discounted_ucb` put these together. Strategies of which the
-    estimator holds nothing come first. Of several best ones each is as likely: one draw a choice,
-    always.
+    `ucb1`, `sliding_window_ucb` and `discounted_ucb` put these together. Strategies without rewards
+    come first. Ties are broken uniformly: always one draw a choice.
 
-    A strategy that was asked and not told of yet counts as if it had been told once more, and had
-    earned its mean: so those never tried take turns also while nothing is told, and many that are
-    asked at once are not all the same. A trial that will never be told should be failed.
+    A pending trial counts as if it had earned its strategy's mean. So untried strategies take turns
+    while no effect is known yet, and trials that are asked for together do not all go to one
+    strategy. A trial that will never be told should be failed.
 
     Parameters
     ----------
     xi : float
-        How much is made of not knowing; not negative.
+        Weight of the confidence bound; not negative.
 
     Attributes
     ----------
@@ -44,7 +43,7 @@ class UCB(Value):
     Raises
     ------
     TypeError, ValueError
-        If `xi` is no number, or negative.
+        If `xi` is not a number, or negative.
 
     Examples
     --------
@@ -63,13 +62,13 @@ class UCB(Value):
         self._set(xi=real("xi", xi, low=0.0))
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies, none of which was asked yet.
+        """Return the policy for `parts` strategies, with no trial pending.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Uniform: any strategy, each as likely."""
+"""Uniform: strategies uniformly at random."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ class Uniform(Value):
         pass
 
     def start(self, parts: int, largest: float) -> _core.Policy:
-        """Return the policy for so many strategies.
+        """Return the policy for `parts` strategies.
 
         Parameters
         ----------
         parts : int
         largest : float
-            What no reward exceeds; 0.0 where rewards have no bound.
+            Upper bound of the rewards; 0.0 if there is none.
 
         Examples
         --------

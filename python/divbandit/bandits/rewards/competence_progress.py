@@ -18,7 +18,8 @@ class CompetenceProgress(Value):
     Models with Intrinsically Motivated Goal Exploration in Robots", Robotics and Autonomous
     Systems 61(1), 49-73), with the nearest effect known as the competence for a goal.
 
-    Motor babbling has no goals and earns nothing by it: choose it by a share at random.
+    Motor babbling has no goals and earns nothing: combine with a policy that also chooses at
+    random.
 
     Examples
     --------

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, init=False, repr=False)
 class FunctionReward(Value):
-    """What a function makes of an effect and the history, of which the effect is the newest.
+    """The value of a function of the newest effect and the history that ends with it.
 
     A bandit takes the function itself as well, as a reward without a bound.
 
@@ -29,7 +29,7 @@ class FunctionReward(Value):
     function : callable
         ``function(effect, history) -> float``, with the effect of shape (s,).
     bound : float
-        What no reward exceeds; 0.0 where there is no such bound.
+        Upper bound of the rewards; 0.0 if there is none.
 
     Attributes
     ----------
@@ -71,16 +71,16 @@ class FunctionReward(Value):
         self._set(function=function, bound=real("bound", bound, low=0.0))
 
     def largest(self, dim: int) -> float:
-        """Return what no reward exceeds, as given."""
+        """Return the upper bound of the rewards, as given."""
         del dim
         return self.bound
 
     def start(self, dim: int) -> FunctionReward:
-        """Return itself: it remembers nothing."""
+        """Return itself: it has no state."""
         del dim
         return self
 
     def of(self, trial: Trial, effect: NDArray[np.float64], history: History) -> Any:  # noqa: ANN401 - checked by the bandit
-        """Return what the function does."""
+        """Return the value of the function."""
         del trial
         return self.function(effect, history)

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 class Reward(Protocol):
     """What an effect is worth to the strategy that produced it.
 
-    Anything with these members is one; no base class is needed. Each exploration starts a deep copy
-    of a user-defined reward, so that `start` may prepare the object and return itself.
+    Any object with these members will do; no base class is needed. Each exploration starts a deep
+    copy of a user-defined reward, so that `start` may prepare the object and return itself.
 
     See Also
     --------
@@ -48,7 +48,7 @@ class Reward(Protocol):
     """
 
     def largest(self, dim: int, /) -> float:
-        """Return what no reward exceeds; 0.0 where there is no such bound.
+        """Return the upper bound of the rewards; 0.0 if there is none.
 
         Parameters
         ----------
@@ -83,10 +83,9 @@ class Reward(Protocol):
 
 
 class RunningReward(Protocol):
-    """A reward under way.
+    """A running reward.
 
-    What it remembers from one effect to the next should follow from the history alone: a nested
-    bandit is asked about its own trials only.
+    Its state should follow from the history alone: a nested bandit rewards its own trials only.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Adapters: what other libraries offer, as parts of this one, and the reverse.
+"""Adapters: parts of other libraries as parts of this one, and the reverse.
 
 Strategies: `RibsEmitter` (pyribs), `OptunaSampler` (Optuna), `QuasiRandomBabbling` (SciPy). A
 policy of bandits: `MabwiserPolicy` (MABWiser). A black box as an environment of Gymnasium:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Report:
-    """What came of one solution: its effect, its objective, and what the archive made of it."""
+    """The outcome of one solution: its effect, its objective, and its report by the archive."""
 
     effect: NDArray[np.float64]
     objective: float
@@ -68,7 +68,7 @@ class Batch:
         return self._given - 1
 
     def end(self, row: int, report: Report | None = None) -> None:
-        """Note what came of a solution; None if it failed."""
+        """Note the outcome of a solution; None if it failed."""
         self._ended.add(row)
         self.reports[row] = report
 

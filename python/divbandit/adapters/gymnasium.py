@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Reward = Callable[[Array, Array], float]
 
-#: What Gymnasium knows it by.
+#: The id under which it is registered.
 ID = "divbandit/OneStep-v0"
 
 #: How far outside its box an effect is taken for rounding: of its coordinate, or of 1 if larger.
@@ -38,11 +38,10 @@ SLACK = 1e-9
 
 
 class OneStepEnv(gymnasium.Env[Any, Any]):
-    """A black box as a Gymnasium environment: the action is the motor command, then all is over.
+    """A black box as a Gymnasium environment of one step: the action is the motor command.
 
-    What is observed after the one step is the effect; at first, before anything was done, it is
-    the middle of the observation space (0 in a coordinate that is not bounded on both sides, or
-    the bound nearest to 0).
+    The observation after the step is the effect; after a reset it is the middle of the observation
+    space (0 in a coordinate that is not bounded on both sides, or the bound nearest to 0).
 
     Parameters
     ----------
@@ -51,12 +50,12 @@ class OneStepEnv(gymnasium.Env[Any, Any]):
     reward : callable, optional
         ``(command, effect) -> float``, what the step earns. Without one, 0.
     observation_space : Box or object with ``low`` and ``high``, optional
-        A box that holds every effect; infinite bounds are allowed. Without one, the sensory
-        space. An effect outside is an error, as it is no member of the space that was announced;
-        one that is outside by a share of `SLACK`, by rounding, is observed as the nearest inside.
+        A box that holds every effect; infinite bounds are allowed. Without one, the sensory space.
+        An effect outside is an error; one that is outside by a share of `SLACK` at most, by
+        rounding, is moved to the border.
     normalize : bool
-        Whether actions lie in [-1, 1]^m, which is mapped onto M, as most learning algorithms want
-        it and Gymnasium's checker recommends. Otherwise an action is the command itself.
+        Whether actions lie in [-1, 1]^m, which is mapped onto M, as most learning algorithms expect
+        and Gymnasium's checker recommends. Otherwise an action is the command itself.
 
     Attributes
     ----------
@@ -125,7 +124,7 @@ class OneStepEnv(gymnasium.Env[Any, Any]):
         Parameters
         ----------
         seed : int, optional
-            Seeds ``np_random``, of which nothing is drawn: the black box is what it is.
+            Seeds ``np_random``, from which nothing is drawn.
         options : dict, optional
             Not used.
 
@@ -149,7 +148,7 @@ class OneStepEnv(gymnasium.Env[Any, Any]):
         return _middle(self._effects), {}
 
     def step(self, action: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
-        """Try a command; the episode is over then.
+        """Evaluate a command, which ends the episode.
 
         Parameters
         ----------
@@ -173,8 +172,8 @@ class OneStepEnv(gymnasium.Env[Any, Any]):
         gymnasium.error.ResetNeeded
             If there was no reset, or a step since.
         TypeError, ValueError
-            If the action is no point of the action space, the effect none of the observation
-            space, or the reward no finite number.
+            If the action is not a point of the action space, the effect not one of the observation
+            space, or the reward not a finite number.
         Exception
             What the environment or `reward` raises.
 
@@ -208,7 +207,7 @@ class OneStepEnv(gymnasium.Env[Any, Any]):
         if not self.normalize:
             return point
         low, high = self._motor_space.low, self._motor_space.high
-        # Weighted so that -1 and 1 are the very corners, and clipped as sums are rounded.
+        # Weighted so that -1 and 1 are exactly the corners, and clipped as sums are rounded.
         command: Array = low * ((1.0 - point) / 2.0) + high * ((1.0 + point) / 2.0)
         return np.clip(command, low, high)
 

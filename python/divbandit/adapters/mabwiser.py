@@ -16,10 +16,9 @@ if TYPE_CHECKING:
 class MabwiserPolicy(Value):
     """A learning policy of MABWiser as a policy of a `Bandit`.
 
-    It remembers by itself all that it has learned; the bandit's estimator says what is believed,
-    and does not decide. Each part is chosen once, in order, before the learning policy is asked.
-    It learns rewards as shares of the largest, numbers from 0 to 1; where rewards have no bound,
-    of the largest so far.
+    It keeps its own state; the bandit's estimates do not influence its choices. Each part is chosen
+    once, in order, before the learning policy chooses. It learns rewards as shares of the largest,
+    numbers from 0 to 1; where rewards have no bound, of the largest so far.
 
     Parameters
     ----------
@@ -37,7 +36,7 @@ class MabwiserPolicy(Value):
     ModuleNotFoundError
         If MABWiser is not installed.
     TypeError, ValueError
-        If `policy` is no learning policy, or needs contexts or a binarizer.
+        If `policy` is not a learning policy, or needs contexts or a binarizer.
 
     Notes
     -----
@@ -107,7 +106,7 @@ class MabwiserPolicy(Value):
 
 
 class _Learning:
-    """A learning policy under way."""
+    """A running learning policy."""
 
     def __init__(self, policy: object, parts: int, largest: float) -> None:
         self._policy, self._parts = policy, parts

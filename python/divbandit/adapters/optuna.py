@@ -55,11 +55,11 @@ class _OfStudy(Trial):
 class OptunaSampler(StrategyValue):
     """A sampler of Optuna as a strategy: TPE, CMA-ES, quasi-Monte Carlo and others.
 
-    It proposes what it expects to be rewarded most, and learns the reward of each of its effects
-    as it comes: by default its gain, the new area that it covered. The gain shrinks as an area
-    fills up, whichever strategy fills it, which draws a sampler to what was not found yet; how
-    well it follows such a moving target is for a bandit to find out. The sampler knows of trials
-    under way; a trial that failed has the state FAIL.
+    It proposes what it expects to be rewarded most, and learns the reward of each of its effects as
+    it comes: by default its gain, the new area that it covered. The gain shrinks as an area fills
+    up, whichever strategy fills it, which draws a sampler to what has not been found yet; how well
+    it follows this moving target, a bandit finds out. The sampler knows of trials under way; a
+    trial that failed has the state FAIL.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ class OptunaSampler(StrategyValue):
     ModuleNotFoundError
         If Optuna is not installed.
     TypeError, ValueError
-        If an argument is not what it must be, or a reward is no finite number.
+        If an argument is not what it must be, or a reward is not a finite number.
 
     Notes
     -----

@@ -73,14 +73,14 @@ class RibsEmitter(StrategyValue):
     """An emitter of pyribs as a strategy, so that a bandit can choose among emitters.
 
     The archive's measures are the effects. The archive holds the effects of all strategies, so that
-    an emitter looks for what none of them has found. An emitter asks for batches; they are given
+    an emitter looks for what none of them has found. An emitter proposes batches; they are handed
     out one solution at a time, and the emitter learns when all of a batch have ended:
 
     - Emitters that learn, such as those of CMA-ME, need whole batches: they rank by the places in
       what they asked for last. A trial that failed stands for the worst of its batch, and for one
       that did not enter the archive. A batch of which all failed is forgotten.
-    - Where more is asked for while some of a batch are under way, a copy of the emitter proposes
-      more of its kind. Their effects enter the archive; the emitter does not learn them, and learns
+    - If more trials are asked for while some of a batch are pending, a copy of the emitter proposes
+    them. Their effects enter the archive; the emitter does not learn them, and learns
       nothing while a trial of its batch is open: one without an effect should be failed.
 
     Parameters
@@ -89,7 +89,7 @@ class RibsEmitter(StrategyValue):
         MAP-Elites by steps along lines between elites, CMA-ME by improvement, or a function of
         an archive and a seed that makes an emitter. Solutions are shares of the motor ranges.
     box : Box or object with ``low`` and ``high``, optional
-        Where to lay the archive's grid; by default over the sensory space.
+        The extent of the archive's grid; by default the sensory space.
     cells : int
         How many cells the grid has along each coordinate of the effects.
     archive : callable, optional
@@ -97,7 +97,7 @@ class RibsEmitter(StrategyValue):
         the grid: neither `box` nor `cells` may then be given.
     objective : callable, optional
         A function of an effect and its command, both read-only arrays: the larger, the better.
-        By default all are as good as each other: only new cells count.
+        By default all are equally good: only new cells count.
 
     Attributes
     ----------
@@ -115,7 +115,7 @@ class RibsEmitter(StrategyValue):
     Notes
     -----
     The first proposal draws two ``rng.random()``, the seeds of the archive and of the emitter,
-    whose draws are their own. The emitter at work, with its archive, is
+    whose draws are their own. The running emitter, with its archive, is
     ``explorer.strategy.emitter``; it is None at first.
 
     Examples
@@ -283,7 +283,7 @@ class _Emitting(Strategy):
         return 0.0 if objective is None else real("objective()", objective(effect, command))
 
     def _learn(self, emitter: EmitterBase, batch: Batch) -> None:
-        """Let the emitter learn what came of a whole batch."""
+        """Let the emitter learn from a whole batch."""
         self._batch = None
         known = [report for report in batch.reports if report is not None]
         if not known or not self._learns:

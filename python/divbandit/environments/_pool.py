@@ -18,7 +18,7 @@ T = TypeVar("T", bound=_Closes)
 
 
 class Pool(Generic[T]):
-    """Idle objects, lent to one user at a time; at most as many as were ever in use at once.
+    """Idle objects, lent to one user at a time; never more than were in use at once.
 
     Parameters
     ----------

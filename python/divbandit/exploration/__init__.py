@@ -1,4 +1,4 @@
-"""Explorations: running a strategy in an environment, and what comes of it."""
+"""Explorations: running a strategy in an environment, and the record of it."""
 
 from divbandit.exploration.explore import explore
 from divbandit.exploration.explorer import Explorer

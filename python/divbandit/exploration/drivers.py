@@ -39,7 +39,7 @@ class Driver(Protocol):
 
     @property
     def estimates(self) -> tuple[float, ...] | None:
-        """What a bandit believes of each of its strategies."""
+        """A bandit's estimates of its strategies."""
 
     def ask(self, number: int, rng: Generator) -> Trial:
         """Return the next trial, which is to have this number."""
@@ -52,7 +52,7 @@ class Driver(Protocol):
 
 
 def driver_of(strategy: Strategy, history: History, engine: str) -> Driver:
-    """Return the driver of a strategy: the engine where that is wanted and can be.
+    """Return the driver of a strategy: the engine, if it is wanted and possible.
 
     Examples
     --------
@@ -83,7 +83,7 @@ class RustDriver:
 
     @property
     def estimates(self) -> tuple[float, ...] | None:
-        """What a bandit believes of each of its strategies."""
+        """A bandit's estimates of its strategies."""
         return self._engine.estimates
 
     @property
@@ -139,12 +139,12 @@ class PythonDriver:
     def __init__(self, strategy: Strategy, history: History) -> None:
         self._history, self._log = history, history._log  # noqa: SLF001 - written here
         self.strategy = Starter(history)(strategy)
-        # What the bandit believed when it proposed the trials under way, by number.
+        # The bandit's estimates when it proposed the pending trials, by number.
         self._believed: dict[int, tuple[float, ...] | None] = {}
 
     @property
     def estimates(self) -> tuple[float, ...] | None:
-        """What a bandit believes of each of its strategies."""
+        """A bandit's estimates of its strategies."""
         return self.strategy.estimates
 
     def ask(self, number: int, rng: Generator) -> Trial:

@@ -26,15 +26,16 @@ def explore_with(
 ) -> None:
     """Let the explorer make `n` evaluations, up to `in_flight` of them at a time.
 
-    Effects are told as they come in; those that are there together in the order in which their
-    commands were proposed. An evaluation that raises, or returns what is no effect, has failed.
+    Effects are told as they come in; those that come in together, in the order in which their
+    commands were proposed. An evaluation that raises, or returns something that is not an effect,
+    has failed.
 
     Raises
     ------
     TypeError, ValueError
-        If `executor` is none or `in_flight` no such number.
+        If `executor` is not an executor, or `in_flight` is not a whole number of at least 1.
     RuntimeError
-        If not a single evaluation has come to anything; it says why the last one did not.
+        If all evaluations failed; the message gives the reason of the last one.
     BrokenExecutor
         If the executor itself breaks down.
 
@@ -75,7 +76,7 @@ def explore_with(
 
 
 def _finish(explorer: Explorer, trial: Trial, future: Future[ArrayLike]) -> None:
-    """Tell the effect, or that there is none."""
+    """Tell the effect, or record the failure."""
     try:
         effect = as_point("effect", future.result(), explorer.history.effect_dim)
     except BrokenExecutor:

@@ -39,26 +39,27 @@ def explore(
     environment : Environment
         The black box: callable, with ``motor_space`` and ``sensory_space``.
     strategy : Strategy
-        Is never changed: what runs is started from it.
+        Never changed: the running state is started from it.
     n : int
-        How many evaluations, at least 1. The engine makes room for what all of them leave before
-        it begins, and refuses to where there is no memory for that.
+        How many evaluations, at least 1. The engine allocates the log of all of them before it
+        begins, and raises an error if there is not enough memory.
     rng : None, int, SeedSequence or Generator
         All randomness comes from it; a Generator is drawn from, not copied.
     engine : {"auto", "python", "rust"}
         Where strategies run. Compositions of the library's own parts run in Rust, over any
         environment: one in Python is called back for its effects. ``"auto"`` does so where it can;
         with ``"python"`` the loop is in Python, as it is for user-defined strategies, rewards,
-        policies and samplers, to the same bits; ``"rust"`` insists on Rust.
+        policies and samplers, to the same bits; with ``"rust"`` it is an error if they cannot run
+        in Rust.
     keep_commands : bool
-        False leaves the motor commands out of what is returned, most of its memory. In Rust they
+        False leaves the motor commands, most of the memory, out of what is returned. In Rust they
         are not even held while exploring, unless a strategy looks at them, as goal babbling does.
     executor : concurrent.futures.Executor, optional
         Where the black box is called: threads, processes, a cluster's
         (``dask.distributed.Client.get_executor()``, ``mpi4py.futures.MPIPoolExecutor``). The
-        environment is sent there as it is, and so must be picklable where these are processes.
-        An evaluation that raises, or whose result is no effect, has failed: it is one of the `n`,
-        and told of in ``failures``. Effects are told as they come in, so that with more than one
+        environment is sent there as it is, and so must be picklable where these are processes. An
+        evaluation that raises, or whose result is not an effect, has failed: it is one of the `n`,
+        and recorded in ``failures``. Effects are told as they come in, so that with more than one
         under way the exploration depends on which is ready first.
     in_flight : int, optional
         How many evaluations to keep under way; must be given with an executor. As many as it has
@@ -67,7 +68,7 @@ def explore(
     Returns
     -------
     Exploration
-        Commands, effects, choices, and what the bandit believed.
+        Commands, effects, choices, and the bandit's estimates.
 
     Raises
     ------
@@ -77,14 +78,14 @@ def explore(
     KeyboardInterrupt
         On Ctrl-C.
     RuntimeError
-        If an executor was given, and not a single evaluation came to anything.
+        If an executor was given, and all evaluations failed.
     Exception
         What the environment raises, or an executor that breaks down.
 
     Notes
     -----
     An exception has the attribute ``explorer``, an `Explorer` that holds all that was observed, and
-    can be saved or gone on with.
+    can be saved or resumed.
 
     Examples
     --------
@@ -147,7 +148,7 @@ def _explorer(
     *,
     keep_commands: bool,
 ) -> Explorer:
-    """Check what an exploration is asked for, and return what will make it."""
+    """Check the arguments of an exploration, and return its explorer."""
     if not isinstance(environment, Environment):
         raise TypeError(
             "environment must be callable and have motor_space and sensory_space "
@@ -169,7 +170,7 @@ def _explorer(
 
 @contextmanager
 def _holding(explorer: Explorer) -> Iterator[None]:
-    """Let what is raised carry the explorer, which holds all that was observed."""
+    """Attach the explorer, which holds all that was observed, to what is raised."""
     try:
         yield
     except BaseException as error:

@@ -26,24 +26,24 @@ if TYPE_CHECKING:
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
 
-_NOT_MINE = "trial must be one that this explorer asked for and was not told of yet"
+_NOT_MINE = "trial must be pending: asked for by this explorer, not told and not failed"
 
 
 class Explorer:
     """An exploration that is driven from outside: ask for trials, tell their effects.
 
-    Any number of trials may be under way, and they may be told in any order, or have failed. The
-    history is in the order of telling, and so are gains: an effect's gain is what it adds to all
-    that was told before it.
+    Any number of trials may be under way, and they may be told in any order, or fail. The history
+    is in the order of telling, and so are gains: an effect's gain is what it adds to all that was
+    told before it.
 
     Parameters
     ----------
     strategy : Strategy
-        Is never changed: what runs is started from it.
+        Never changed: the running state is started from it.
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
-        A box in S from which goals make sense.
+        A box in S to draw goals from.
     rng : None, int, SeedSequence or Generator
         All randomness comes from it; a Generator is drawn from, not copied.
     past : Exploration, optional
@@ -56,7 +56,7 @@ class Explorer:
     history : History
         All that was told so far.
     rng : numpy.random.Generator
-        Where all randomness comes from.
+        The source of all randomness.
 
     Raises
     ------
@@ -102,7 +102,7 @@ class Explorer:
         engine: EngineName,
         keep_commands: bool,
     ) -> Explorer:
-        """Return an explorer that may forget commands which no strategy looks at."""
+        """Return an explorer that may discard commands if no strategy needs them."""
         explorer = cls.__new__(cls)
         explorer._prepare(  # noqa: SLF001 - a constructor
             strategy, motor_space, sensory_space, rng, engine, keep_commands=keep_commands
@@ -141,12 +141,12 @@ class Explorer:
 
     @property
     def strategy(self) -> Strategy:
-        """The strategy; of one that a user defined, the explorer's own copy as it has learned."""
+        """The strategy; if it is user-defined, the explorer's copy, with what it has learned."""
         return self._driver.strategy
 
     @property
     def estimates(self) -> tuple[float, ...] | None:
-        """What a bandit believes of each of its strategies; None for any other strategy."""
+        """A bandit's estimates of its strategies; None for any other strategy."""
         return self._driver.estimates
 
     @property
@@ -164,7 +164,7 @@ class Explorer:
         Parameters
         ----------
         n : int, optional
-            How many trials to return, at least 1: those of as many calls.
+            How many trials to return, at least 1: the same as `n` calls of ``ask()``.
 
         Returns
         -------
@@ -175,8 +175,8 @@ class Explorer:
         Raises
         ------
         TypeError, ValueError
-            If the strategy proposes what is no point of the motor space. The history is then as
-            it was, and no trial was given out; the generator and the strategy have moved on.
+            If the strategy's proposal is not a point of the motor space. The history is then as it
+            was, and no trial was given out; the generator and the strategy have moved on.
 
         Examples
         --------
@@ -213,14 +213,14 @@ class Explorer:
         Parameters
         ----------
         trial : Trial, or sequence of n Trial
-            Given out by this explorer and not told of yet.
+            Returned by `ask`, and neither told nor failed yet.
         effect : array_like, shape (s,) or (n, s)
-            Those of many are told one after the other: it comes to the same as `n` calls.
+            Effects of many are told in order: the same as `n` calls.
 
         Raises
         ------
         TypeError, ValueError
-            If a trial is another's or was told before, or an effect is not finite or of the
+            If a trial is not a pending one of this explorer, or an effect is not finite or of the
             wrong length; nothing is recorded then, and the trials can still be told.
         Exception
             What a user-defined strategy raises when it observes; that effect, and those before
@@ -235,7 +235,7 @@ class Explorer:
         >>> explorer.tell(trial, [3.0])
         Traceback (most recent call last):
             ...
-        ValueError: trial must be one that this explorer asked for and was not told of yet
+        ValueError: trial must be pending: asked for by this explorer, not told and not failed
         """
         if not isinstance(trial, Trial):
             self._tell_each(trial, effect)
@@ -266,7 +266,7 @@ class Explorer:
         return number
 
     def _check_dim(self, dim: int) -> None:
-        """Let the strategy see the dimension, which the first effect tells."""
+        """Let the strategy check the dimension of the first effect."""
         self._given.check(self.history.motor_space, dim, has_goals=False)
         self._dim_is_checked = True
 
@@ -292,23 +292,23 @@ class Explorer:
             self._record(trial, point)
 
     def fail(self, trial: Trial, reason: str) -> None:
-        """Record that the evaluation of a trial came to nothing: the robot fell over.
+        """Record that the evaluation of a trial failed: the robot fell over.
 
         The budget is spent, and there is no effect: neither the history's effects nor any measure
-        change. ``history.failures`` tells of it. A bandit takes it for a trial without any reward.
+        change. It is recorded in ``history.failures``. A bandit rewards it with 0.
 
         Parameters
         ----------
         trial : Trial
-            Given out by this explorer and not told of yet.
+            Returned by `ask`, and neither told nor failed yet.
         reason : str
             What went wrong, for the log.
 
         Raises
         ------
         TypeError, ValueError
-            If the trial is another's or was told before, or the reason is not a string; nothing is
-            recorded then.
+            If the trial is not a pending one of this explorer, or the reason is not a string;
+            nothing is recorded then.
         Exception
             What a user-defined strategy raises when it learns of it; that is then recorded.
 
@@ -335,7 +335,7 @@ class Explorer:
         self._journal.note(Event.FAIL, number)
 
     def add_past(self, commands: ArrayLike, effects: ArrayLike) -> None:
-        """Record evaluations that were made elsewhere: strategies see them, no one is rewarded.
+        """Record evaluations made elsewhere: strategies see them, none is rewarded.
 
         Parameters
         ----------
@@ -345,7 +345,7 @@ class Explorer:
         Raises
         ------
         TypeError, ValueError
-            If a command is no point of the motor space, or an effect is not finite or of another
+            If a command is not a point of the motor space, or an effect is not finite or of another
             dimension than those before; nothing is recorded then.
 
         Examples
@@ -397,7 +397,7 @@ class Explorer:
                 between()
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write all that is needed to go on to a file, replacing it whole or not at all.
+        """Write all that is needed to resume to a file, replacing it whole or not at all.
 
         The file is NumPy's ``npz``; nothing in it is pickled. It holds what was asked and told,
         and the generator's state at the beginning: all else follows from these.
@@ -433,19 +433,18 @@ class Explorer:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], strategy: Strategy | None = None) -> Explorer:
-        """Read an explorer that was saved, to go on with it bit by bit as it would have.
+        """Read a saved explorer, which continues bit for bit as the original would have.
 
-        All that was asked and told is repeated, with the generator as it was at the beginning;
-        each command must come out as it did. So a user-defined strategy must depend on its
-        observations and the generator alone, and the generator must not have been drawn from
-        elsewhere.
+        All that was asked and told is repeated, with the generator as it was at the beginning; each
+        command must come out the same. So a user-defined strategy must depend on its observations
+        and the generator alone, and the generator must not have been drawn from elsewhere.
 
         Parameters
         ----------
         path : str or path
         strategy : Strategy, optional
-            One equal to that which the explorer was made with. It must be given where that has
-            user-defined parts; the library's are in the file.
+            One equal to the explorer's. It must be given if that has user-defined parts; strategies
+            of the library are in the file.
 
         Returns
         -------

@@ -1,4 +1,4 @@
-"""replay: all that happened to an explorer, repeated with a fresh one."""
+"""replay: the events of an explorer, repeated with a fresh one."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class OtherwiseError(Exception):
-    """What is repeated comes out otherwise; the text says what."""
+    """The repetition differs; the message says how."""
 
 
 class Past(NamedTuple):
@@ -43,7 +43,7 @@ class Past(NamedTuple):
     reasons: list[str]
 
     def check(self) -> None:
-        """Raise a ValueError unless it can have happened, and all that is here belongs to it."""
+        """Raise a ValueError unless the events are possible, and match the arrays."""
         asked = known = failed = added = 0
         under_way: set[int] = set()
         for event, number, how in self.events:
@@ -61,7 +61,7 @@ class Past(NamedTuple):
                 known, failed = known + (event == Event.TELL), failed + (event == Event.FAIL)
         found = len(self.commands), len(self.effects), len(self.added), len(self.reasons)
         if found != (asked, known, added, failed):
-            raise ValueError("events must be as many as there are commands, effects and reasons")
+            raise ValueError("events must match the numbers of commands, effects and reasons")
 
 
 def replay(explorer: Explorer, past: Past) -> None:

@@ -1,4 +1,4 @@
-"""Exploration: what came of a run, to measure, plot, save and load."""
+"""Exploration: the record of a run, to measure, plot, save and load."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ NOT_KEPT = cast("NDArray[np.float64]", None)
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Exploration:
-    """The trace of an exploration: commands, effects, who proposed, what the bandit believed.
+    """The trace of an exploration: commands, effects, their strategies, a bandit's estimates.
 
     Attributes
     ----------
@@ -43,10 +43,10 @@ class Exploration:
     paths : numpy.ndarray of int64, shape (n, depth)
         Who proposed each command: indices of strategies, outermost first, -1 beyond the innermost.
     estimates : numpy.ndarray of float64, shape (n, q), or None
-        What the bandit believed of each of its q strategies when it chose (NaN for earlier
-        evaluations that were added); None where the strategy is not a bandit.
+        The bandit's estimates of its q strategies when it chose (NaN for earlier evaluations that
+        were added); None where the strategy is not a bandit.
     failures : tuple of Failure
-        The evaluations that came to nothing; they are not among the n.
+        The failed evaluations; they are not among the n.
 
     Examples
     --------
@@ -79,7 +79,7 @@ class Exploration:
 
     @classmethod
     def of(cls, history: History, *, keep_commands: bool = True, take: bool = False) -> Exploration:
-        """Return the exploration that a history is of: a copy, or with `take` its very memory.
+        """Return the exploration of a history: a copy, or with `take` the history's own memory.
 
         Examples
         --------
@@ -282,7 +282,7 @@ class Exploration:
 
 
 def _failures(arrays: dict[str, NDArray[Any]], dim: int) -> tuple[Failure, ...]:
-    """Return the failures that a file tells of."""
+    """Return the failures in a file."""
     if "failed_why" not in arrays:
         return ()
     reasons = _files.to_json(arrays, "failed_why")

@@ -52,9 +52,9 @@ class _Saved(NamedTuple):
 
     motor_space: Box
     sensory_space: Box | None
-    #: None if it was not made of the library's own parts alone.
+    #: None if it has user-defined parts.
     strategy: Strategy | None
-    #: What it was called.
+    #: Its repr.
     name: str
     generator: Generator
     #: Its state when the file was written.

@@ -49,14 +49,14 @@ def reproduce(
     seed : int
         All randomness comes from it.
     jobs : int, optional
-        How many threads; by default as many as there are cores. The files do not depend on it.
+        How many threads; by default one for each core. The files do not depend on it.
     bar : callable, optional
         Opens a progress bar, given a name and a number of steps.
 
     Returns
     -------
     list of Comparison
-        The comparison of figure 4; empty if it was not asked for.
+        The comparison of figure 4; empty if it was not requested.
 
     Raises
     ------

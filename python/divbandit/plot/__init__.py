@@ -1,6 +1,6 @@
 """Figures: each function takes data and an optional matplotlib Axes, draws, and returns the Axes.
 
-What is drawn is computed in `divbandit.plot.data`, so that it can be had without a picture.
+What they draw is computed in `divbandit.plot.data`, and so available without a figure.
 """
 
 from divbandit.plot.estimates import estimates

@@ -76,7 +76,7 @@ def means_and_deviations(data: ArrayLike) -> NDArray[np.float64]:
 
 
 def estimates_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
-    """Return what a bandit believed before each choice, shape (n, q).
+    """Return a bandit's estimates before each choice, shape (n, q).
 
     Examples
     --------
@@ -105,7 +105,7 @@ def usage_of(
     window : int
         Steps over which the centred mean is taken; near both ends, over those that exist.
     strategies : int, optional
-        How many strategies there are; by default as many as were chosen or believed in.
+        How many strategies there are; by default those that were chosen or have estimates.
 
     Returns
     -------
@@ -115,7 +115,7 @@ def usage_of(
     Raises
     ------
     TypeError, ValueError
-        If the choices are no indices, or `window` is not at least 1.
+        If the choices are not indices, or `window` is not at least 1.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""estimates: what a bandit believed of its strategies, over time."""
+"""estimates: a bandit's estimates of its strategies, over time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""postures: how an arm lay."""
+"""postures: the shapes that an arm took."""
 
 from __future__ import annotations
 

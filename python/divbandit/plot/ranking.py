@@ -51,7 +51,7 @@ def ranking(
     Raises
     ------
     ValueError
-        If `data` has another shape, or there are not as many labels.
+        If `data` has another shape, or the number of labels differs.
 
     Examples
     --------

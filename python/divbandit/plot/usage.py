@@ -44,7 +44,7 @@ def usage(
     Raises
     ------
     TypeError, ValueError
-        If the choices are no indices, or `window` is not at least 1.
+        If the choices are not indices, or `window` is not at least 1.
 
     Examples
     --------

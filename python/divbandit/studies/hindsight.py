@@ -28,15 +28,14 @@ def hindsight(
     """Explore for `n` steps, seeing all outcomes before each choice.
 
     At each step every strategy proposes a command, in order, and each is tried. The one whose
-    effect gains most is kept; the others are as if they had never been. Of several with the same
-    gain each is as likely. So it makes ``n * len(strategies)`` evaluations, and no bandit can be
-    expected to do as well with `n`.
+    effect gains most is kept; the others are discarded. Ties are broken uniformly. So it makes ``n
+    * len(strategies)`` evaluations, and no bandit can be expected to do as well with `n`.
 
     Parameters
     ----------
     environment : Environment
     strategies : sequence of Strategy
-        Such as learn from the history alone, like motor and goal babbling.
+        They must learn from the history alone, like motor and goal babbling.
     n : int
         How many effects to keep.
     rng : SeedSequence

@@ -37,15 +37,15 @@ def over_processes(
     items : sequence
         Picklable.
     jobs : int, optional
-        How many processes; by default as many as there are cores. With 1 all is done in this one.
-        With more, a script that gets here must be guarded by ``if __name__ == "__main__":``.
+        How many processes; by default one for each core. With 1 all is done in this one. With more,
+        a script that gets here must be guarded by ``if __name__ == "__main__":``.
     progress : callable, optional
         Called without arguments whenever one more is done.
 
     Raises
     ------
     Exception
-        What `function` raises; what was not begun is dropped then.
+        What `function` raises; calls that have not begun are then cancelled.
 
     Examples
     --------

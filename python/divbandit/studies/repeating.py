@@ -1,4 +1,4 @@
-"""Repeating: the same command again and again."""
+"""Repeating: the same command at every step."""
 
 from __future__ import annotations
 

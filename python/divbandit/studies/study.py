@@ -53,9 +53,8 @@ def study(
     seed : int
         All randomness comes from it.
     jobs : int, optional
-        How many processes; by default as many as there are cores. The files do not depend on it.
-        With more than one, a script that calls this must be guarded by
-        ``if __name__ == "__main__":``.
+        How many processes; by default one for each core. The files do not depend on it. With more
+        than one, a script that calls this must be guarded by ``if __name__ == "__main__":``.
     bar : callable, optional
         Opens a progress bar, given a name and a number of steps.
 

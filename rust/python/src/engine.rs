@@ -251,5 +251,5 @@ fn for_a_while(
 }
 
 fn unknown() -> PyErr {
-    PyValueError::new_err("trial must be one that was asked for and not told of yet")
+    PyValueError::new_err("trial must be pending: asked for, not told and not failed")
 }

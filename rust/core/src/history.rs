@@ -238,7 +238,8 @@ impl History {
     /// # Errors
     /// If there is no memory for the paths.
     pub fn into_log(self) -> Result<Log, Error> {
-        let depth = self.paths.depth();
+        let lengths = self.ends.iter().map(|&end| self.paths.length(end));
+        let depth = lengths.max().unwrap_or(0);
         let mut paths = Vec::new();
         reserve(&mut paths, self.len, depth)?;
         paths.resize(self.len * depth, -1);

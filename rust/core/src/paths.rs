@@ -48,12 +48,6 @@ impl Paths {
         path.iter().fold(ROOT, |node, &index| self.child(node, index))
     }
 
-    /// The length of the longest path.
-    #[must_use]
-    pub fn depth(&self) -> usize {
-        self.nodes.iter().map(|node| node.depth as usize).max().unwrap_or(0)
-    }
-
     /// The length of the path to `node`.
     #[must_use]
     pub fn length(&self, node: u32) -> usize {

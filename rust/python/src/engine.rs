@@ -13,6 +13,7 @@ use crate::composition::Reader;
 use crate::environments::{BlackBox, environment_of};
 use crate::errors::value_error;
 use crate::history::PyHistory;
+use crate::parts::class_of;
 use crate::random::{Draws, NumpyStream};
 use crate::trial::PyTrial;
 
@@ -53,6 +54,8 @@ pub(crate) struct PyEngine {
     /// One that is not in use.
     spare: Proposal,
     asked: usize,
+    /// Whether trials tell how probable the outermost choice was: that of a policy, as in Python.
+    tells_probability: bool,
     /// Whether the newest effect was recorded, but could not be rewarded.
     refused: bool,
 }
@@ -66,7 +69,9 @@ impl PyEngine {
         let exploration =
             Exploration::new(reader.composition, root, &history.0).map_err(value_error)?;
         let spare = Proposal::new(history.0.motor_space().dim());
-        Ok(Self { exploration, open: HashMap::new(), spare, asked: 0, refused: false })
+        let tells_probability = class_of(strategy)?.as_deref() == Some("Bandit");
+        let open = HashMap::new();
+        Ok(Self { exploration, open, spare, asked: 0, tells_probability, refused: false })
     }
 
     /// How many trials were asked for.
@@ -115,7 +120,8 @@ impl PyEngine {
         let goal = proposal.goal().map(|goal| read_only(py, goal)).transpose()?;
         let command = read_only(py, proposal.command())?;
         let path = PyTuple::new(py, proposal.path())?;
-        Ok(PyTrial::numbered(command, goal, path, number))
+        let probability = proposal.probability().filter(|_| self.tells_probability);
+        Ok(PyTrial::numbered(command, goal, path, probability, number))
     }
 
     /// Record the effect of a trial, and let the strategy learn from it.

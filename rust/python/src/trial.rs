@@ -56,13 +56,14 @@ impl PyTrial {
         command: Bound<'_, PyArray1<f64>>,
         goal: Option<Bound<'_, PyArray1<f64>>>,
         path: Bound<'_, PyTuple>,
+        probability: Option<f64>,
         number: usize,
     ) -> Self {
         Self {
             command: command.into_any().unbind(),
             goal: goal.map(|goal| goal.into_any().unbind()),
             path: path.unbind(),
-            probability: None,
+            probability,
             inner: None,
             number: Some(number),
         }

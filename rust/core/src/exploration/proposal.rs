@@ -43,6 +43,12 @@ impl Proposal {
         self.has_goal.then_some(self.goal.as_slice())
     }
 
+    /// The probability with which the outermost strategy chose, where that is known.
+    #[must_use]
+    pub fn probability(&self) -> Option<f64> {
+        self.choices.first().and_then(|(_, choice)| choice.probability)
+    }
+
     /// Who proposed it: indices of strategies, outermost first.
     pub fn path(&self) -> impl ExactSizeIterator<Item = usize> {
         self.choices.iter().map(|(_, choice)| choice.part)

@@ -37,10 +37,10 @@ def strategy():
 def digest(explorer):
     """Return a word for all that an exploration is, and will be."""
     run = explorer.result()
-    parts = [run.commands, run.effects, run.paths, run.diversities]
+    parts = [run.commands, run.effects, run.paths, run.estimates]
     words = [
         repr(explorer.rng.bit_generator.state),
-        repr(explorer.strategy.strategies[1].diversities),
+        repr(explorer.strategy.strategies[1].estimates),
     ]
     words += [repr((f.command.tolist(), *f[1:])) for f in run.failures]
     words += [repr((t.number, t.command.tolist())) for t in explorer.open_trials]
@@ -64,7 +64,7 @@ def main(path, steps):
         else:
             explorer.tell(trial, ARM(trial.command))
         explorer.save(path)
-        time.sleep(0.002)  # whoever is to kill it must be there in time
+        time.sleep(0.002)  # time enough to kill it
         sys.stdout.write(f"{len(history) + len(history.failures)}\n")
         sys.stdout.flush()
     sys.stdout.write(f"{digest(explorer)}\n")

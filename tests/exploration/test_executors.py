@@ -38,7 +38,7 @@ def test_one_at_a_time_is_the_plain_loop():
         with executor:
             run = db.explore(ARM, ADAPT, n=200, rng=0, executor=executor, in_flight=1)
         assert run.commands.tobytes() == plain.commands.tobytes()
-        assert run.diversities.tobytes() == plain.diversities.tobytes()
+        assert run.estimates.tobytes() == plain.estimates.tobytes()
         assert run.failures == ()
 
 
@@ -151,7 +151,10 @@ def test_an_executor_that_breaks_down_is_an_error():
 
 
 def test_what_a_strategy_raises_is_no_failed_evaluation():
-    class Broken(db.MotorBabbling):
+    class Broken(db.Strategy):
+        def propose(self, history, rng):
+            return history.motor_space.sample(rng)
+
         def observe(self, trial, effect):
             raise ZeroDivisionError(trial.number, len(effect))
 

@@ -12,7 +12,7 @@ from tests.generators import state
 
 ARM = db.PlanarArm(4)
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
-OTHERS = ("effects", "paths", "choices", "diversities")
+OTHERS = ("effects", "paths", "choices", "estimates")
 
 
 def without(engine="auto", n=60):

@@ -37,9 +37,9 @@ def test_a_plain_npy(tmp_path):
 @pytest.mark.parametrize(
     "changes",
     [
-        {"format": np.array(["divbandit exploration", "2"])},
+        {"format": np.array(["divbandit exploration", "3"])},
         {"format": np.array(["divbandit exploration", "x"])},
-        {"format": np.array(["something else", "1"])},
+        {"format": np.array(["something else", "2"])},
         {"format": np.array("divbandit exploration")},
         {"commands": None},
         {"effects": None},
@@ -52,7 +52,7 @@ def test_a_plain_npy(tmp_path):
         {"effects": np.zeros(30)},
         {"paths": np.zeros((29, 1), dtype=np.int64)},
         {"paths": np.zeros((30, 1))},
-        {"diversities": np.zeros((31, 2))},
+        {"estimates": np.zeros((31, 2))},
         {"motor_space": np.array([[1.0, 1, 1], [0, 0, 0]])},
         {"motor_space": np.full((2, 3), np.nan)},
         {"motor_space": np.zeros((3, 3))},

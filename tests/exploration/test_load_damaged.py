@@ -36,7 +36,7 @@ def test_damaged_bytes_are_refused_or_harmless(flipped, saved, tmp_path):
     def is_same(run):
         return all(
             np.array_equal(getattr(run, name), getattr(intact, name))
-            for name in ("commands", "effects", "paths", "diversities")
+            for name in ("commands", "effects", "paths", "estimates")
         )
 
     directory = saved.index(b"PK\x01\x02")

@@ -11,9 +11,9 @@ N = 300_000
 JOINTS = 20
 
 # Of the log, each number takes 8 bytes: the coordinates of a command and of an effect, a choice at
-# each level of a path, and a diversity of each strategy of the bandit.
+# each level of a path, and an estimate of each strategy of the bandit.
 NUMBER = 8
-COMMAND, EFFECT, LEVEL, DIVERSITIES = JOINTS * NUMBER, 2 * NUMBER, NUMBER, 2 * NUMBER
+COMMAND, EFFECT, LEVEL, ESTIMATES = JOINTS * NUMBER, 2 * NUMBER, NUMBER, 2 * NUMBER
 
 ADAPT = "db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau={tau!r})"
 BABBLING = "db.MotorBabbling()"
@@ -49,7 +49,7 @@ def bytes_a_step(strategy, *, keep):
 # of the plane's grid each.
 @pytest.mark.parametrize("tau", [0.02, 5e-5])
 def test_at_most_200_bytes_a_step_beyond_the_log(tau):
-    log = COMMAND + EFFECT + LEVEL + DIVERSITIES
+    log = COMMAND + EFFECT + LEVEL + ESTIMATES
     needed = bytes_a_step(ADAPT.format(tau=tau), keep=True)
     assert log <= needed <= log + 200
 

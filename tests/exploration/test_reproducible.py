@@ -12,7 +12,7 @@ N = 300
 
 
 def bits(run):
-    return [array.tobytes() for array in (run.commands, run.effects, run.paths, run.diversities)]
+    return [array.tobytes() for array in (run.commands, run.effects, run.paths, run.estimates)]
 
 
 def explored(rng, n=N):
@@ -51,7 +51,7 @@ def test_a_generator_is_advanced_in_place(bit_generator):
 def test_a_longer_run_begins_like_a_shorter_one():
     short, long = (db.explore(ARM, ADAPT, n=n, rng=1) for n in (100, 200))
     assert long.commands[:100].tobytes() == short.commands.tobytes()
-    assert long.diversities[:100].tobytes() == short.diversities.tobytes()
+    assert long.estimates[:100].tobytes() == short.estimates.tobytes()
 
 
 def test_ask_and_tell_is_what_explore_does():

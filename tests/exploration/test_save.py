@@ -14,13 +14,13 @@ ARM = db.PlanarArm(4)
 
 
 def bits(run):
-    diversities = None if run.diversities is None else run.diversities.tobytes()
+    estimates = None if run.estimates is None else run.estimates.tobytes()
     return (
         run.commands.tobytes(),
         run.effects.tobytes(),
         run.paths.tobytes(),
         run.paths.shape,
-        diversities,
+        estimates,
         run.motor_space,
         run.sensory_space,
     )
@@ -65,7 +65,7 @@ def test_nothing_is_pickled(tmp_path):
     make_run().save(tmp_path / "run.npz")
     with np.load(tmp_path / "run.npz", allow_pickle=False) as saved:
         arrays = dict(saved.items())
-    assert {"commands", "effects", "paths", "diversities", "motor_space"} <= set(arrays)
+    assert {"commands", "effects", "paths", "estimates", "motor_space"} <= set(arrays)
     assert not any(array.dtype.hasobject for array in arrays.values())
 
 

@@ -8,7 +8,7 @@ use crate::inverse::Observed;
 use crate::kdtree::NearestNeighbors;
 use crate::paths::Paths;
 
-/// All that has been tried so far, and what it led to.
+/// All commands tried so far, and their effects.
 #[derive(Debug, Clone)]
 pub struct History {
     motor_space: Bounds,
@@ -17,18 +17,18 @@ pub struct History {
     len: usize,
     /// Coordinate by coordinate.
     commands: Vec<f64>,
-    /// The effects, filed as far as they were searched; None until their dimension is known.
+    /// The effects, up to date as of the last search; None until their dimension is known.
     effects: Option<NearestNeighbors>,
     paths: Paths,
     /// The path of each step, by its end.
     ends: Vec<u32>,
-    /// What a bandit believed of each of its strategies when it chose, step by step.
+    /// A bandit's estimates of its strategies when it chose, step by step.
     estimates: Vec<f64>,
     /// The length of a row of these; 0 for any other strategy.
     width: usize,
 }
 
-/// What is left of a history: arrays, row by row.
+/// A history as arrays, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
     /// The motor commands; empty if they were not kept.
@@ -39,17 +39,17 @@ pub struct Log {
     pub paths: Vec<i64>,
     /// The length of a row of `paths`.
     pub depth: usize,
-    /// What a bandit believed of each of its strategies when it chose; empty for any other strategy.
+    /// A bandit's estimates of its strategies when it chose; empty for any other strategy.
     pub estimates: Vec<f64>,
 }
 
 impl History {
     /// Nothing tried yet. Goals are drawn from `sensory_space` where a strategy has no box of its
-    /// own; without `keeps_commands`, commands are forgotten as soon as they are recorded. `width`
-    /// is the number of estimates logged with each step.
+    /// own; without `keeps_commands`, commands are discarded when they are recorded. `width` is the
+    /// number of estimates logged with each step.
     ///
     /// # Errors
-    /// Never, so far: a box has at least one dimension.
+    /// Never at present: a box has at least one dimension.
     pub fn new(
         motor_space: Bounds,
         sensory_space: Option<Bounds>,
@@ -90,13 +90,13 @@ impl History {
         &self.motor_space
     }
 
-    /// A box in S from which goals make sense.
+    /// A box in S to draw goals from.
     #[must_use]
     pub fn sensory_space(&self) -> Option<&Bounds> {
         self.sensory_space.as_ref()
     }
 
-    /// The dimension of the effects; None until the first tells it where there is no sensory space.
+    /// The dimension of the effects; without a sensory space, None until the first of them.
     #[must_use]
     pub fn effect_dim(&self) -> Option<usize> {
         self.effects.as_ref().map(NearestNeighbors::dim)
@@ -143,7 +143,7 @@ impl History {
         (&self.estimates, self.width)
     }
 
-    /// Whether commands are kept, or forgotten as soon as they are recorded.
+    /// Whether commands are kept, or discarded when they are recorded.
     #[must_use]
     pub fn keeps_commands(&self) -> bool {
         self.keeps_commands
@@ -161,7 +161,7 @@ impl History {
         Ok(Observed { effects, commands: &self.commands, motor_space: &self.motor_space })
     }
 
-    /// Makes room for so many more evaluations, so that recording them moves nothing.
+    /// Allocates memory for so many more evaluations.
     ///
     /// # Errors
     /// If there is no memory for them, or they would be 2^32 or more; nothing has changed then.
@@ -178,12 +178,12 @@ impl History {
         self.effects.as_mut().map_or(Ok(()), |effects| effects.reserve(n))
     }
 
-    /// Records one evaluation, proposed by the strategy at the end of `path`, and what the bandit
-    /// believed when it chose: NaN where that is empty.
+    /// Records one evaluation, proposed by the strategy at the end of `path`, and the bandit's
+    /// estimates when it chose: NaN where that is empty.
     ///
     /// # Errors
-    /// If the command is no point of the motor space, or the effect is not finite or of another
-    /// dimension than those before; nothing is recorded then.
+    /// If the command is not a point of the motor space, or the effect is not finite or of
+    /// another dimension than those before; nothing is recorded then.
     pub fn record(
         &mut self,
         command: &[f64],
@@ -207,7 +207,7 @@ impl History {
         check_finite("effect", effect, effect.len())
     }
 
-    /// Does what [`record`](Self::record) does, with what is known to be right.
+    /// Does what [`record`](Self::record) does, without checks.
     pub(crate) fn log(
         &mut self,
         command: &[f64],
@@ -233,7 +233,7 @@ impl History {
         Ok(())
     }
 
-    /// What is left of it.
+    /// The log, taken out of it.
     ///
     /// # Errors
     /// If there is no memory for the paths.

@@ -10,12 +10,10 @@
 //!    command, inside its [`Bounds`];
 //! 4. [`strategies`] propose commands in this and other ways, seeing the [`History`] of all that
 //!    was observed;
-//! 5. [`Coverage`] says how much an effect has newly covered: its gain;
+//! 5. [`Coverage`] says how much an effect has newly covered: its gain; [`measures`] are this and
+//!    other ways to say how diverse effects are;
 //! 6. [`bandits`] let one of several strategies propose, by the rewards that each has earned;
 //! 7. [`exploration`] is the loop of all these, run by an [`Exploration`].
-//! 6. [`measures`] are this and other ways to say how diverse effects are;
-//! 7. [`bandits`] let one of several strategies propose, in proportion to the gains of each;
-//! 8. [`exploration`] is the loop of all these, run by an [`Exploration`].
 //!
 //! Everything that decides a trajectory is made of additions, multiplications,
 //! divisions and square roots in a fixed order, so that a seed gives the same bits

@@ -1,7 +1,7 @@
 //! Paths: who proposed each command, from the outermost strategy to the innermost.
 //!
-//! A path is a branch of the tree of all choices that were made: a step of the log is then a single
-//! number, the branch's end.
+//! A path is a branch of the tree of all choices made so far: a step logs one number, the branch's
+//! end.
 
 /// The branches taken so far.
 #[derive(Debug, Clone)]

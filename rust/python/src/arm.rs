@@ -49,7 +49,8 @@ impl PyPlanarArm {
             let effect = self.0.effect(&command.copied()?).map_err(value_error)?;
             return Ok(effect.to_vec().into_pyarray(py).into_any());
         }
-        // Not copied: who writes to it from another thread meanwhile gets nonsense, as from NumPy.
+        // Not copied: if another thread writes to it meanwhile, the result is undefined numbers, as
+        // in NumPy.
         let angles = command.slice()?;
         let mut effects = vec![0.0; angles.len() / self.0.joints() * 2];
         py.detach(|| self.0.effects(angles, &mut effects)).map_err(value_error)?;

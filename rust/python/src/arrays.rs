@@ -1,4 +1,4 @@
-//! What comes in from Python as an array or a number, checked in one place.
+//! Arrays and numbers from Python, checked in one place.
 //!
 //! A C-contiguous float64 array is borrowed; anything else that NumPy can read as real
 //! numbers is converted. Booleans, strings, complex numbers and objects are refused.
@@ -53,7 +53,7 @@ impl<'py> Floats<'py> {
         }
         let numpy = py.import(intern!(py, "numpy"))?;
         let array = numpy.call_method1(intern!(py, "asarray"), (value,)).map_err(|error| {
-            // A Ctrl-C, for one, says nothing of the value.
+            // An exception such as KeyboardInterrupt is not about the value.
             let of_value = error.is_instance_of::<PyException>(py);
             if of_value { refused(kind(value)) } else { error }
         })?;
@@ -251,7 +251,7 @@ pub(crate) fn read_only<'py>(
     Ok(array)
 }
 
-/// A new array of rows of this length that cannot be written to; it holds the very numbers given.
+/// A new array of rows of this length that cannot be written to; it takes over the numbers given.
 pub(crate) fn read_only_rows(
     py: Python<'_>,
     values: Vec<f64>,

@@ -47,7 +47,7 @@ impl PyBounds {
         read_only(rng.py(), &point)
     }
 
-    /// Points (n, dim) uniform in the box: the draws of as many calls of `sample`.
+    /// Points (n, dim) uniform in the box: the same as `n` calls of `sample`.
     fn sample_many<'py>(
         &self,
         n: &Bound<'py, PyAny>,

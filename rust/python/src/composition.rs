@@ -25,11 +25,10 @@ pyo3::create_exception!(
     "Some part of a strategy is not the library's own: which, and its class."
 );
 
-/// More steps of a schedule than can be counted are as good as one less.
+/// Upper limit on a schedule's steps, which is never reached.
 const MOST_STEPS: u64 = 1 << 63;
 
-/// The strategies found so far, each part with its place: one that stands in two places is started
-/// once.
+/// The strategies found so far, each part with its place: one that occurs twice is started once.
 pub(crate) struct Reader<'a> {
     history: &'a History,
     pub composition: Composition,

@@ -47,13 +47,13 @@ impl PyCoverage {
         self.0.is_exact()
     }
 
-    /// The standard error that each estimated gain has at most, as a share of a ball's measure.
+    /// Upper limit on the standard error of an estimated gain, as a share of a ball's measure.
     #[getter]
     fn accuracy(&self) -> f64 {
         self.0.sampling().accuracy
     }
 
-    /// What an estimate's random numbers are made from.
+    /// The key of the random numbers of estimates.
     #[getter]
     fn _key(&self) -> u64 {
         self.0.sampling().key
@@ -86,7 +86,7 @@ impl PyCoverage {
         Ok(rows)
     }
 
-    /// What each effect gained when it came: shape (n,), read-only.
+    /// The gain of each effect when it was added: shape (n,), read-only.
     #[getter]
     fn gains<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         read_only(py, self.0.gains())
@@ -115,7 +115,7 @@ impl PyCoverage {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If it is no finite point of this dimension; nothing is added then.
+    ///     If it is not a finite point of this dimension; nothing is added then.
     ///
     /// Examples
     /// --------
@@ -141,7 +141,7 @@ impl PyCoverage {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If one is no finite point of this dimension; nothing is added then.
+    ///     If one is not a finite point of this dimension; nothing is added then.
     /// KeyboardInterrupt
     ///     On Ctrl-C; the first so many effects are added then.
     ///
@@ -183,7 +183,7 @@ impl PyCoverage {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If one is no finite point of this dimension.
+    ///     If one is not a finite point of this dimension.
     ///
     /// Examples
     /// --------
@@ -230,7 +230,7 @@ impl PyCoverage {
     /// What would be lost without an effect: the measure of the part of its ball that lies in
     /// no other effect's.
     ///
-    /// It takes as long as adding all effects within 2 tau anew.
+    /// It takes as long as adding all effects within 2 tau again.
     ///
     /// Parameters
     /// ----------
@@ -248,7 +248,7 @@ impl PyCoverage {
     /// Raises
     /// ------
     /// TypeError
-    ///     If `index` is no whole number.
+    ///     If `index` is not a whole number.
     /// IndexError
     ///     If there is no such effect.
     ///
@@ -293,7 +293,7 @@ impl PyCoverage {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If one is no finite point of this dimension.
+    ///     If one is not a finite point of this dimension.
     ///
     /// Examples
     /// --------
@@ -336,7 +336,7 @@ impl PyCoverage {
         self.0.len()
     }
 
-    /// Becomes what `other` is; a copy then goes its own way.
+    /// Becomes an independent copy of `other`.
     fn _become(&mut self, other: &Self) {
         self.0 = other.0.clone();
     }
@@ -369,8 +369,7 @@ impl PyCoverage {
     }
 }
 
-/// How many effects of this dimension to work on before Ctrl-C is asked for: what takes some
-/// milliseconds.
+/// How many effects of this dimension to process between checks for Ctrl-C: some milliseconds.
 pub(crate) fn at_once(dim: usize) -> usize {
     match dim {
         1 | 2 => 1000,

@@ -53,7 +53,7 @@ pub(crate) fn log(x: f64) -> PyResult<f64> {
 /// Raises
 /// ------
 /// ValueError
-///     If the result is no finite number.
+///     If the result is not a finite number.
 ///
 /// Examples
 /// --------

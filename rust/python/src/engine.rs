@@ -25,8 +25,8 @@ const STEPS: usize = 64;
 
 /// A composition of the library's own strategies, which explores with a history.
 ///
-/// Trials are known by the number of those asked before. A strategy that a user defined, or a part
-/// of one, is a NotBuiltInError.
+/// A trial is known by the number of trials before it. A user-defined part raises a
+/// NotBuiltInError.
 ///
 /// Parameters
 /// ----------
@@ -49,7 +49,7 @@ const STEPS: usize = 64;
 #[pyclass(module = "divbandit._core", name = "Engine")]
 pub(crate) struct PyEngine {
     exploration: Exploration,
-    /// The trials under way, by number.
+    /// The pending trials, by number.
     open: HashMap<usize, Proposal>,
     /// One that is not in use.
     spare: Proposal,
@@ -92,7 +92,7 @@ impl PyEngine {
         self.refused
     }
 
-    /// What a bandit believes of each of its strategies; None for any other strategy.
+    /// A bandit's estimates of its strategies; None for any other strategy.
     #[getter]
     fn estimates<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyTuple>>> {
         self.exploration.estimates().map(|means| PyTuple::new(py, means)).transpose()
@@ -114,7 +114,7 @@ impl PyEngine {
         self.proposed(rng.py(), self.asked - 1)
     }
 
-    /// Return a trial that is under way.
+    /// Return a pending trial.
     fn proposed(&self, py: Python<'_>, number: usize) -> PyResult<PyTrial> {
         let proposal = self.open.get(&number).ok_or_else(unknown)?;
         let goal = proposal.goal().map(|goal| read_only(py, goal)).transpose()?;
@@ -149,8 +149,8 @@ impl PyEngine {
     /// Explore an environment for n evaluations.
     ///
     /// `between` is called again and again - after each step where the environment is called back,
-    /// every twentieth of a second elsewhere; what it raises ends the run, and so does Ctrl-C. A trial
-    /// whose evaluation raises is then under way.
+    /// every twentieth of a second elsewhere; what it raises ends the run, and so does Ctrl-C. A
+    /// trial whose evaluation raises stays pending.
     #[pyo3(signature = (environment, history, n, rng, between))]
     fn run(
         &mut self,

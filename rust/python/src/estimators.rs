@@ -1,4 +1,4 @@
-//! Binding of the estimators: what a bandit remembers of rewards.
+//! Binding of the estimators: the mean rewards of a bandit's strategies.
 
 use divbandit_core::Error;
 use divbandit_core::bandits::estimators::{Estimator, EstimatorKind};
@@ -26,7 +26,7 @@ pub(crate) fn estimator_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Estimator
     }))
 }
 
-/// What an estimator of the library has started: the mean reward of each strategy.
+/// A running estimator of the library: the mean reward of each strategy.
 ///
 /// Parameters
 /// ----------
@@ -35,13 +35,13 @@ pub(crate) fn estimator_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Estimator
 /// parts : int
 ///     How many strategies there are.
 /// largest : float
-///     What no reward exceeds; 0.0 where rewards have no bound.
+///     Upper bound of the rewards; 0.0 if there is none.
 ///
 /// Raises
 /// ------
 /// TypeError, ValueError
-///     If `value` is no estimator of the library, there are no parts, or `largest` is negative or
-///     not finite.
+///     If `value` is not an estimator of the library, there are no parts, or `largest` is negative
+///     or not finite.
 ///
 /// Examples
 /// --------
@@ -78,13 +78,13 @@ impl PyEstimator {
         self.0.means().to_vec()
     }
 
-    /// Of how many rewards each mean is, or of what weight all together.
+    /// The number of rewards behind each mean, or their total weight.
     #[getter]
     fn counts(&self) -> Vec<f64> {
         self.0.counts().to_vec()
     }
 
-    /// What no reward exceeds, or has exceeded so far.
+    /// Upper bound of the rewards, or of those so far.
     #[getter]
     fn largest(&self) -> f64 {
         self.0.largest()
@@ -101,7 +101,7 @@ impl PyEstimator {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If there is no such strategy, or `reward` is no finite number.
+    ///     If there is no such strategy, or `reward` is not a finite number.
     ///
     /// Examples
     /// --------

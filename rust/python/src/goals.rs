@@ -15,7 +15,7 @@ use crate::history::PyHistory;
 use crate::parts::{class_of, field};
 use crate::random::NumpyStream;
 
-/// What draws the goals that a sampler of the library describes; None for a sampler of a user's.
+/// The running sampler of a value of the library; None for a user's sampler.
 pub(crate) fn goals_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn GoalSampler>>> {
     let Some(class) = class_of(part)? else { return Ok(None) };
     let count = |name: &str| field::<usize>(part, name);
@@ -40,7 +40,7 @@ pub(crate) fn goals_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn GoalS
     }))
 }
 
-/// A sampler, or what its settings are refused for.
+/// A sampler, or why its settings are refused.
 fn ready(sampler: Result<impl GoalSampler + 'static, Error>) -> PyResult<Box<dyn GoalSampler>> {
     Ok(Box::new(sampler.map_err(value_error)?))
 }
@@ -77,7 +77,7 @@ pub(crate) fn log_of<'py>(history: &Bound<'py, PyAny>) -> PyResult<PyRefMut<'py,
     Ok(log.cast::<PyHistory>().map_err(|_| refused())?.try_borrow_mut()?)
 }
 
-/// A goal sampler at work, for one exploration.
+/// A running goal sampler, for one exploration.
 ///
 /// Parameters
 /// ----------
@@ -116,7 +116,7 @@ impl PyGoalSampler {
         }
     }
 
-    /// Draw a goal; with nothing observed yet, from the box alone.
+    /// Draw a goal; until something is observed, from the box alone.
     fn sample<'py>(
         &mut self,
         history: &Bound<'py, PyAny>,

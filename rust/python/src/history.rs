@@ -55,13 +55,13 @@ impl PyHistory {
         self.0.begin(keeps_commands, width).map_err(value_error)
     }
 
-    /// The dimension of the effects; None until the first tells it.
+    /// The dimension of the effects; None until there is one.
     #[getter]
     fn effect_dim(&self) -> Option<usize> {
         self.0.effect_dim()
     }
 
-    /// Record one evaluation, who proposed it, and what the bandit believed.
+    /// Record one evaluation, who proposed it, and the bandit's estimates.
     fn record(
         &mut self,
         command: &Bound<'_, PyAny>,

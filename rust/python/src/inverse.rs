@@ -12,8 +12,7 @@ use crate::goals::log_of;
 use crate::parts::{class_of, field};
 use crate::random::NumpyStream;
 
-/// What makes the commands that an inverse model of the library describes; None for a model of a
-/// user's.
+/// The running model of a value of the library; None for a user's model.
 pub(crate) fn inverse_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn InverseModel>>> {
     let Some(class) = class_of(part)? else { return Ok(None) };
     let count = |name: &str| field::<usize>(part, name);
@@ -38,12 +37,12 @@ pub(crate) fn inverse_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn Inv
     }))
 }
 
-/// A model, or what its settings are refused for.
+/// A model, or why its settings are refused.
 fn ready(model: Result<impl InverseModel + 'static, Error>) -> PyResult<Box<dyn InverseModel>> {
     Ok(Box::new(model.map_err(value_error)?))
 }
 
-/// An inverse model at work, for one exploration.
+/// A running inverse model, for one exploration.
 ///
 /// Parameters
 /// ----------
@@ -78,7 +77,7 @@ impl PyInverseModel {
         }
     }
 
-    /// Make a command of a goal.
+    /// Return a command for a goal.
     fn command<'py>(
         &mut self,
         goal: &Bound<'py, PyAny>,

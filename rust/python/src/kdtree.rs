@@ -58,7 +58,7 @@ impl PyNearestNeighbors {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If it is no finite point of this dimension; nothing is added then.
+    ///     If it is not a finite point of this dimension; nothing is added then.
     ///
     /// Examples
     /// --------
@@ -81,7 +81,7 @@ impl PyNearestNeighbors {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If one is no finite point of this dimension; nothing is added then.
+    ///     If one is not a finite point of this dimension; nothing is added then.
     ///
     /// Examples
     /// --------
@@ -114,7 +114,7 @@ impl PyNearestNeighbors {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If `query` is no finite point of this dimension, there are no points, or `k` is not
+    ///     If `query` is not a finite point of this dimension, there are no points, or `k` is not
     ///     from 1 to their number.
     ///
     /// Examples

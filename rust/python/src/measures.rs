@@ -82,7 +82,7 @@ pub(crate) struct PyMeasure {
 impl PyMeasure {
     #[new]
     fn new(value: Bound<'_, PyAny>, dim: &Bound<'_, PyAny>) -> PyResult<Self> {
-        // A class that derives from one of the library's starts what that would.
+        // A subclass of one of the library's starts the same.
         let kind = match library_class_of(&value)? {
             Some(class) => kind_of(&class, &value)?,
             None => None,
@@ -109,7 +109,7 @@ impl PyMeasure {
         self.running.measure()
     }
 
-    /// What no gain exceeds; 0.0 where there is no such bound.
+    /// Upper bound of the gains; 0.0 if there is none.
     #[getter]
     fn largest_gain(&self) -> f64 {
         self.running.largest_gain()
@@ -128,7 +128,7 @@ impl PyMeasure {
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If it is no finite point of this dimension, or too far away for floats to tell where
+    ///     If it is not a finite point of this dimension, or too far away for floats to tell where
     ///     it lies; nothing is added then.
     ///
     /// Examples
@@ -152,7 +152,7 @@ impl PyMeasure {
     /// Returns
     /// -------
     /// numpy.ndarray of float64, shape (n,)
-    ///     The very numbers that as many calls of `add` return.
+    ///     The same numbers as from `n` calls of `add`.
     ///
     /// Raises
     /// ------

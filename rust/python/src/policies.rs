@@ -37,7 +37,7 @@ pub(crate) fn policy_of(part: &Bound<'_, PyAny>) -> PyResult<Option<PolicyKind>>
     }))
 }
 
-/// What a policy of the library has started: it chooses, and learns.
+/// A running policy of the library: it chooses, and learns.
 ///
 /// Parameters
 /// ----------
@@ -46,12 +46,12 @@ pub(crate) fn policy_of(part: &Bound<'_, PyAny>) -> PyResult<Option<PolicyKind>>
 /// parts : int
 ///     How many strategies there are.
 /// largest : float
-///     What no reward exceeds; 0.0 where rewards have no bound.
+///     Upper bound of the rewards; 0.0 if there is none.
 ///
 /// Raises
 /// ------
 /// TypeError, ValueError
-///     If `value` is no policy of the library, there are no parts, or `largest` is negative or
+///     If `value` is not a policy of the library, there are no parts, or `largest` is negative or
 ///     not finite.
 ///
 /// Examples
@@ -88,12 +88,12 @@ impl PyPolicy {
         Ok(Self { policy, parts })
     }
 
-    /// Choose the strategy that is to propose next.
+    /// Choose the strategy that proposes next.
     ///
     /// Parameters
     /// ----------
     /// estimates : object with means, counts and largest
-    ///     What an estimator has started; one mean and one count for each strategy.
+    ///     A running estimator; one mean and one count for each strategy.
     /// rng : numpy.random.Generator
     ///     The only source of randomness, by ``rng.random()``.
     ///
@@ -101,13 +101,13 @@ impl PyPolicy {
     /// -------
     /// index : int
     /// probability : float or None
-    ///     With which it was chosen, where the policy knows it.
+    ///     Of this choice, if the policy knows it.
     ///
     /// Raises
     /// ------
     /// TypeError, ValueError
     ///     If the estimates are not finite numbers, or of another number of strategies, or `rng` is
-    ///     no generator.
+    ///     not a generator.
     ///
     /// Examples
     /// --------
@@ -152,12 +152,12 @@ impl PyPolicy {
     ///     Its index.
     /// reward : float
     /// probability : float or None
-    ///     With which it had been chosen, if that is known.
+    ///     Of that choice, if it is known.
     ///
     /// Raises
     /// ------
     /// TypeError, ValueError
-    ///     If there is no such strategy, `reward` is no finite number, or `probability` not in
+    ///     If there is no such strategy, `reward` is not a finite number, or `probability` not in
     ///     (0, 1].
     ///
     /// Examples

@@ -85,10 +85,10 @@ impl UniformStream for Draws {
 
     #[inline]
     fn fill(&mut self, numbers: &mut [f64]) {
-        // SAFETY: NumPy names a capsule "BitGenerator" only if it holds a `bitgen_t`, whose
-        // layout is part of its C interface. The capsule and the bit generator are kept alive
-        // by the `NumpyStream` that owns or lends `self`, so the pointer and the state behind it
-        // are valid; the bit generator's lock is held, so nobody else advances the state meanwhile.
+        // SAFETY: NumPy names a capsule "BitGenerator" only if it holds a `bitgen_t`, whose layout
+        // is part of its C interface. The capsule and the bit generator are kept alive by the
+        // `NumpyStream` that owns or lends `self`, so the pointer and the state behind it are
+        // valid; the bit generator's lock is held, so nothing else advances the state meanwhile.
         unsafe {
             let &bitgen_t { next_double, state, .. } = self.0.as_ref();
             for number in numbers {

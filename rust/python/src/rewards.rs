@@ -11,7 +11,7 @@ use crate::history::log_of;
 use crate::measures::measure_of;
 use crate::parts::class_of;
 
-/// The reward that a value describes; None for a user's, also where the measure alone is.
+/// The reward that a value describes; None for a user's reward or measure.
 pub(crate) fn reward_of(part: &Bound<'_, PyAny>) -> PyResult<Option<RewardKind>> {
     Ok(match class_of(part)?.as_deref() {
         Some("Gain") => measure_of(&part.getattr("measure")?)?.map(RewardKind::Gain),
@@ -20,7 +20,7 @@ pub(crate) fn reward_of(part: &Bound<'_, PyAny>) -> PyResult<Option<RewardKind>>
     })
 }
 
-/// A reward under way, for effects of `dim` dimensions.
+/// A running reward, for effects of `dim` dimensions.
 ///
 /// Examples
 /// --------

@@ -21,12 +21,11 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 ///     Who proposed it: indices of strategies, outermost first. Empty where one strategy explores
 ///     alone.
 /// probability : float or None
-///     The probability with which the outermost strategy, a bandit, chose who proposed it; None
-///     where that is not known.
+///     The probability of the outermost strategy's choice; None if it is not known.
 /// inner : Trial or None
-///     For a trial of a composite strategy: the very trial that its part proposed.
+///     For a trial of a composite strategy: the one that its part proposed.
 /// number : int or None
-///     For a trial that an Explorer gives out: how many it gave out before.
+///     For a trial of an Explorer: how many it gave out before.
 ///
 /// Examples
 /// --------

@@ -1,4 +1,4 @@
-//! Bandit: parts chosen by a policy, given what an estimator holds of their rewards.
+//! Bandit: parts chosen by a policy, given an estimator's means of their rewards.
 
 use super::estimators::{Estimator, EstimatorKind};
 use super::policies::{Choice, Estimates, Policy, PolicyKind};
@@ -7,27 +7,27 @@ use crate::bounds::UniformStream;
 use crate::error::Error;
 use crate::strategies::Composite;
 
-/// The dimension that effects are taken to have until the first of them tells it.
+/// The dimension that is assumed until the first effect.
 const PLANE: usize = 2;
 
-/// A bandit in three parts: reward, estimator and policy. A trial that failed earns 0.
+/// A bandit in three parts: reward, estimator and policy. A failed trial earns 0.
 #[derive(Debug)]
 pub struct Bandit {
     parts: usize,
     reward: RewardKind,
     estimator: EstimatorKind,
     policy: PolicyKind,
-    /// What no reward exceeds; 0 where there is no such bound.
+    /// Upper bound of the rewards; 0 if there is none.
     largest: f64,
     estimates: Box<dyn Estimator>,
     choosing: Box<dyn Policy>,
-    /// The failures before the first effect, to be remembered when that starts all once more.
+    /// The failures before the first effect, which restarts the estimator.
     failed: Vec<Choice>,
     dim_is_known: bool,
 }
 
 impl Bandit {
-    /// Over so many `parts`; `effect_dim` is None until the first effect tells it.
+    /// Over so many `parts`; `effect_dim` is None if it is not known yet.
     ///
     /// # Errors
     /// If there are no parts, or one of the three cannot start with them.
@@ -42,7 +42,7 @@ impl Bandit {
             return Err(Error::Count { name: "parts", must_be: "at least 1".into(), got: parts });
         }
         let largest = reward.largest(effect_dim.unwrap_or(PLANE)).or_else(|error| {
-            // Said when the first effect tells its dimension.
+            // Raised with the first effect, when its dimension is known.
             if effect_dim.is_none() { Ok(0.0) } else { Err(error) }
         })?;
         Ok(Self {

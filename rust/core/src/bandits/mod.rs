@@ -1,8 +1,8 @@
 //! Bandits: composites that choose by the rewards that their parts earned.
 //!
-//! A [`Bandit`] has three parts: what is [rewarded](rewards), what is remembered of it
-//! ([estimators]), and who is chosen ([policies]). ADAPT is one combination: gains, windows, and
-//! choices in proportion.
+//! A [`Bandit`] has three parts: a [reward](rewards), an estimate of its mean for each part
+//! ([estimators]), and a choice ([policies]). ADAPT is one combination: gains, windows, and choices
+//! in proportion.
 
 mod bandit;
 pub mod estimators;
@@ -14,8 +14,8 @@ pub use estimators::GainWindow;
 
 use crate::error::Error;
 
-/// Checks among how many parts a bandit chooses, and what no reward exceeds: 0 where rewards have
-/// no bound.
+/// Checks the number of parts that a bandit chooses among, and the upper bound of the rewards: 0 if
+/// there is none.
 fn check_start(parts: usize, largest: f64) -> Result<(), Error> {
     if parts == 0 {
         return Err(Error::Count { name: "parts", must_be: "at least 1".to_owned(), got: parts });

@@ -30,7 +30,8 @@ impl Composition {
     /// Adds a strategy over the parts at these places, and returns its own.
     ///
     /// # Errors
-    /// If these are not as many as it chooses among, or one of them is not there yet.
+    /// If their number is not that of the parts that it chooses among, or one of them does
+    /// not exist yet.
     pub fn compose(
         &mut self,
         composite: impl Composite + 'static,

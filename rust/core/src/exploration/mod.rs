@@ -1,9 +1,9 @@
-//! Exploration: the engine, a composition of the library's own strategies under way.
+//! Exploration: the engine, which runs a composition of the library's own strategies.
 //!
 //! [`propose`](Exploration::propose) lets the strategies choose down to the one that writes a
 //! command; [`observe`](Exploration::observe) and [`fail`](Exploration::fail) tell those on the way
-//! what came of it; [`run`](Exploration::run) is the whole loop for an environment in Rust. The loop
-//! in Python does the same, draw for draw and bit for bit: tests hold the two equal.
+//! the outcome; [`run`](Exploration::run) is the whole loop for an environment in Rust. The loop in
+//! Python does the same, draw for draw and bit for bit: tests hold the two equal.
 //!
 //! ```
 //! use divbandit_core::bandits::Bandit;
@@ -181,7 +181,7 @@ impl Exploration {
         }
     }
 
-    /// Records the effect of a proposal, and rewards those who chose on the way to it.
+    /// Records the effect of a proposal, and rewards the bandits on the way to it.
     ///
     /// # Errors
     /// If the effect is not finite or of another dimension than those before: nothing is recorded
@@ -208,7 +208,7 @@ impl Exploration {
         Ok(())
     }
 
-    /// Tells those who chose on the way to a proposal that it has failed.
+    /// Tells the composites on the way to a proposal that it has failed.
     pub fn fail(&mut self, proposal: &Proposal) {
         for &(place, choice) in proposal.choices.iter().rev() {
             if let Part::Composite(composite, _) = &mut self.parts[place] {
@@ -217,7 +217,7 @@ impl Exploration {
         }
     }
 
-    /// What the outermost strategy believes of each of its parts, if it is a bandit.
+    /// The outermost strategy's estimates of its parts, if it is a bandit.
     #[must_use]
     pub fn estimates(&self) -> Option<&[f64]> {
         match &self.parts[self.root] {

@@ -3,22 +3,22 @@
 use crate::bandits::policies::Choice;
 use crate::paths::ROOT;
 
-/// What the strategies proposed: a command, its goal, who chose whom on the way to it.
+/// What the strategies proposed: a command, its goal, and the choices on the way to it.
 #[derive(Debug, Clone)]
 pub struct Proposal {
     pub(super) command: Vec<f64>,
     pub(super) goal: Vec<f64>,
     pub(super) has_goal: bool,
-    /// The composites asked, outermost first, and what each chose.
+    /// The composites on the way, outermost first, and the choice of each.
     pub(super) choices: Vec<(usize, Choice)>,
     /// The path of these choices, by its end.
     pub(super) end: u32,
-    /// What the outermost strategy believed when it chose, if it is a bandit.
+    /// The outermost strategy's estimates when it chose, if it is a bandit.
     pub(super) estimates: Vec<f64>,
 }
 
 impl Proposal {
-    /// Room for a command of so many coordinates.
+    /// A proposal for commands of so many coordinates.
     #[must_use]
     pub fn new(motor_dim: usize) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! Rewards: found once for all bandits that reward alike.
+//! Rewards: computed once for all bandits of equal rewards.
 
 use crate::bandits::rewards::{Reward, RewardKind};
 use crate::error::Error;
@@ -12,7 +12,7 @@ pub(super) struct Rewards {
 }
 
 impl Rewards {
-    /// Where to ask for a reward: two that are alike are one.
+    /// The place of a reward: equal ones share it.
     pub fn place_of(&mut self, kind: &RewardKind) -> usize {
         self.kinds.iter().position(|known| known == kind).unwrap_or_else(|| {
             self.kinds.push(kind.clone());

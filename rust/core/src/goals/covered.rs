@@ -5,15 +5,15 @@
 //! effect: a point in one of them is covered. Only the others are searched for.
 //!
 //! The answer is exactly that of the search. Rounding is monotone: if the computed distance from an
-//! effect to the farthest corner of a cell is at most tau, so is that to any point in it. Cells
-//! are taken a little larger than they are, for the rounding of their borders.
+//! effect to the farthest corner of a cell is at most tau, so is that to any point in it. Cells are
+//! enlarged a little, for the rounding of their borders.
 
 use super::check_distance;
 use crate::bounds::Bounds;
 use crate::error::Error;
 use crate::kdtree::NearestNeighbors;
 
-/// The most cells that are marked one by one, a bit each.
+/// Upper limit on the number of cells, a bit each.
 const MOST_CELLS: usize = 1 << 22;
 
 /// How many cells to a tau: the first of these of which there are not too many.
@@ -107,12 +107,12 @@ struct Axis {
     cells: usize,
     /// Cells a unit of length; 0 if there is only one.
     density: f64,
-    /// By how much the cells are taken larger.
+    /// By how much the cells are enlarged.
     margin: f64,
 }
 
 impl Axis {
-    /// What a box has no dimension for.
+    /// A dimension that the box does not have.
     const NONE: Self = Self { low: 0.0, width: 0.0, cells: 1, density: 0.0, margin: 0.0 };
 
     /// From `low` to `high`, in cells no wider than `side`; None if they are too many.

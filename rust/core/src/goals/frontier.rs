@@ -74,7 +74,7 @@ impl GoalSampler for Frontier {
                 squared += *x * *x;
             }
             let distance = self.tau * (1.0 + (self.reach - 1.0) * draws.next());
-            // Of a direction there is none where all draws are 1/2: that is the effect itself.
+            // If all draws are 1/2 there is no direction: the goal is the effect itself.
             let scale = if squared > 0.0 { distance / squared.sqrt() } else { 0.0 };
             let corners = goals.low().iter().zip(goals.high());
             for ((x, y), (&low, &high)) in goal.iter_mut().zip(centre).zip(corners) {

@@ -6,7 +6,7 @@ use crate::bounds::{Bounds, UniformStream};
 use crate::error::Error;
 use crate::history::History;
 
-/// The finest grid: its cells are kept one by one.
+/// Upper limit on the number of cells, which are stored one by one.
 const MOST_CELLS: usize = 10_000_000;
 
 /// How many cells a grid has along each coordinate.
@@ -18,7 +18,7 @@ pub enum Cells {
     Each(Vec<usize>),
 }
 
-/// Goals uniform in the cells of a grid, all cells in random order, then all again.
+/// Goals uniform in the cells of a grid: each cell once, in random order, then each again.
 ///
 /// Draws: the cell, then one a coordinate.
 #[derive(Debug, Clone)]

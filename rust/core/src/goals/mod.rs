@@ -1,11 +1,11 @@
-//! Goal samplers: where goal babbling wants to get next, given what is known already.
+//! Goal samplers: what goal babbling aims at next, given everything observed so far.
 //!
 //! - [`Uniform`]: anywhere in a box, as in the paper;
 //! - [`Grid`]: in each cell of a grid before there is a second goal in any;
 //! - [`Uncovered`]: farther than tau from every effect;
-//! - [`Frontier`]: such a goal around an effect;
+//! - [`Frontier`]: uncovered as well, but near an effect;
 //! - [`Novel`]: of a few goals, the one farthest from its nearest effect;
-//! - [`Untried`]: of a few uncovered goals, the one whose nearest effect was aimed from least often.
+//! - [`Untried`]: of a few uncovered goals, the one whose nearest effect was nearest to the fewest.
 
 mod area;
 mod covered;
@@ -31,7 +31,7 @@ use crate::history::History;
 
 /// What draws the goals of one exploration.
 ///
-/// A sampler belongs to the history that it is first asked about: what it remembers is of that one.
+/// A sampler belongs to one history, that of its first call.
 pub trait GoalSampler: fmt::Debug + Send + Sync {
     /// Refuses effects of a dimension that it cannot draw goals for (None if it is not known
     /// yet), and a missing box.
@@ -43,7 +43,7 @@ pub trait GoalSampler: fmt::Debug + Send + Sync {
 
     /// Writes a goal, which takes the length that it needs.
     ///
-    /// Where nothing was observed yet, samplers that look at effects draw it uniformly in the box.
+    /// Until something is observed, samplers that depend on effects draw it uniformly in the box.
     ///
     /// # Errors
     /// If there is no box to draw in, or it does not fit the effects; nothing is drawn then.

@@ -6,7 +6,7 @@ use crate::bounds::{Bounds, UniformStream};
 use crate::error::Error;
 use crate::history::History;
 
-/// Of a few goals uniform in the box the one whose nearest effect is farthest away; the first of
+/// Of a few goals uniform in the box, the one whose nearest effect is farthest away; the first of
 /// several.
 #[derive(Debug, Clone)]
 pub struct Novel {

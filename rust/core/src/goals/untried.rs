@@ -1,4 +1,4 @@
-//! A goal that no effect covers, next to an effect that was aimed from least often.
+//! An uncovered goal, next to an effect that has been nearest to the fewest goals.
 
 use super::area::Area;
 use super::covered::Covered;
@@ -8,8 +8,8 @@ use crate::error::Error;
 use crate::history::History;
 use crate::kdtree::NearestNeighbors;
 
-/// Of a few uncovered goals the one whose nearest effect was counted least so far, the first of
-/// several; that effect is counted once more.
+/// Of a few uncovered goals, the one whose nearest effect has the smallest count so far, the first
+/// of several; that effect is counted once more.
 ///
 /// Each is drawn at most so many times until it is farther than tau from every effect. A goal whose
 /// nearest effect was never counted is taken at once: no other is better. What is farther than

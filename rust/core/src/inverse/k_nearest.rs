@@ -9,7 +9,7 @@ use crate::history::History;
 /// A command between those of the k effects nearest to the goal - of all where there are fewer -,
 /// perturbed.
 ///
-/// An effect's weight is 1 over its distance; effects that are the goal itself share all of it.
+/// An effect's weight is 1 over its distance; effects at the goal itself share all the weight.
 #[derive(Debug, Clone)]
 pub struct KNearest {
     k: usize,

@@ -1,16 +1,16 @@
 //! A local linear model from commands to effects, and a short step in it towards the goal.
 //!
-//! Where there are more motor coordinates than effect coordinates, alike effects come from very
-//! different commands, and a map fitted across them means nothing. So the model is fitted around
-//! one command, that of the nearest effect, to the commands next to it in *motor* space.
+//! Where commands have more coordinates than effects, similar effects come from very different
+//! commands, and a map fitted across them means nothing. So the model is fitted around one command,
+//! that of the nearest effect, to the commands next to it in *motor* space.
 //!
 //! With u the directions to these neighbours (unit vectors, in shares of the motor ranges), v how
 //! the effects change along them, and D the distances, the Jacobian is J = v^T (u u^T + R)^-1 u: of
-//! all matrices that agree with the neighbours as far as the ridge R lets them, the least. R is
-//! diagonal, the ridge times (D / nearest D)^2: what is far tells less, as the environment curves.
-//! The step is the damped least-squares solution of J step = goal - effect.
+//! all matrices that agree with the neighbours as far as the ridge R lets them, the smallest. R is
+//! diagonal, the ridge times (D / nearest D)^2: what is far counts less, as the environment is
+//! curved. The step is the damped least-squares solution of J step = goal - effect.
 //!
-//! The systems are small - as many rows as neighbours, or effect coordinates - and solved by a
+//! The systems are small - a row for each neighbour, or effect coordinate - and solved by a
 //! Cholesky factorisation written out here: its sums have one order, whatever the CPU or the
 //! version of a library.
 
@@ -68,9 +68,9 @@ struct Fit {
 }
 
 impl LocalJacobian {
-    /// Of the `k` effects nearest to the goal, beside the very nearest, the `used` whose commands
-    /// are nearest to that one's are fitted, with `ridge`; the step is at most `reach` and its
-    /// perturbation `noise` of it.
+    /// Of the `k` effects nearest to the goal, the nearest itself excluded, the `used` whose
+    /// commands are nearest to that one's are fitted, with `ridge`; the step is at most `reach` and
+    /// its perturbation `noise` of it.
     ///
     /// # Errors
     /// If a count is 0, `ridge` is not positive and finite, or `reach` or `noise` are not in
@@ -132,8 +132,8 @@ impl LocalJacobian {
     fn find_near(&mut self, base: usize, observed: &Observed<'_>) {
         let parent = observed.command(base);
         let shares = &self.fit.shares;
-        // A few coordinates of all commands, then the next of all: the way of the commands from
-        // memory is most of the work, and so many of them are under way together.
+        // A few coordinates of all commands, then the next of all: loading the commands from memory
+        // is most of the work, and so several loads overlap.
         self.found.iter_mut().for_each(|(squared, _)| *squared = 0.0);
         for from in (0..parent.len()).step_by(AT_ONCE) {
             let part = from..parent.len().min(from + AT_ONCE);
@@ -169,7 +169,7 @@ impl LocalJacobian {
 
 impl Fit {
     /// Computes the step, in shares of the motor ranges; returns its root mean square over those
-    /// that are not points, or None where no direction towards the goal can be told.
+    /// that are not points, or None where there is no direction towards the goal.
     fn step(
         &mut self,
         goal: &[f64],

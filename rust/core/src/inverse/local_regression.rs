@@ -1,10 +1,10 @@
 //! Locally weighted linear regression from effects to commands, evaluated at the goal, perturbed.
 //!
-//! The prediction of a least-squares fit is a weighted sum of what it was fitted to, so no map
-//! is computed: with weights v that sum to 1, effects centred at their weighted mean and divided by
+//! The prediction of a least-squares fit is a weighted sum of what it was fitted to, so no map is
+//! computed: with weights v that sum to 1, effects centred at their weighted mean and divided by
 //! their spread (f, and g for the goal), and C the covariance of f, the command is the sum of
 //! v (1 + f C^-1 g) x. The ridge is added to the diagonal of C: where effects do not spread, as
-//! across a line on which all of them lie, nothing is made of their differences.
+//! across a line on which all of them lie, their differences are ignored.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -23,8 +23,8 @@ const BANDWIDTH: f64 = 1.25;
 /// The fit is weighted, by (1 - (distance / bandwidth)^2)^2, and regularised: the ridge is a share
 /// of the effects' mean variance. The map is followed to at most the reach, in spreads, from the
 /// effects' weighted mean, where a spread is the root of the mean squared distance from it: beyond,
-/// it says little, and a goal far away would have every coordinate at an end of its range. Of
-/// effects that are all the same it is the mean of the commands.
+/// it says little, and a goal far away would have every coordinate at an end of its range. If all
+/// effects are equal, it is the mean of the commands.
 #[derive(Debug, Clone)]
 pub struct LocalRegression {
     k: usize,

@@ -14,8 +14,8 @@ pub(super) fn normalize(weights: &mut [f64]) {
     }
 }
 
-/// Writes the sum of the commands of the effects `found`, each times its weight, brought back into
-/// the motor space and perturbed by up to `d` of its ranges.
+/// Writes the sum of the commands of the effects `found`, each times its weight, clipped to the
+/// motor space and perturbed by up to `d` of its ranges.
 ///
 /// The weights sum to 1; then the sum is taken around the first command, which comes back exactly
 /// where all are the same. `mean` is overwritten.

@@ -1,7 +1,7 @@
 //! The volume of the union of balls around effects: the paper's diversity, without a log.
 //!
-//! C_tau(E), as [`Coverage`] finds it (Benureau and Oudeyer, ICDL-EpiRob 2015), of which only
-//! the union and its measure are kept: who asks for gains has the effects.
+//! C_tau(E), as [`Coverage`] finds it (Benureau and Oudeyer, ICDL-EpiRob 2015), of which only the
+//! union and its measure are kept: the effects are in the history.
 
 use super::Measure;
 use crate::coverage::{Coverage, Sampling, Union};

@@ -18,7 +18,7 @@ use crate::error::{Error, check_finite, check_length, place};
 pub enum PerCoordinate {
     /// The same for all.
     All(f64),
-    /// One for each, as many as there are.
+    /// One for each coordinate.
     Each(Vec<f64>),
 }
 

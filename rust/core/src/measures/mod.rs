@@ -1,4 +1,4 @@
-//! Measures of diversity: what a growing set of effects amounts to, and what one more adds.
+//! Measures of diversity: of a growing set of effects, and what one more adds.
 //!
 //! A [`MeasureKind`] says which, and [`start`](MeasureKind::start) makes an empty [`Measure`] of
 //! it for effects of some dimension: the volume of balls around the effects (`balls`), the number
@@ -34,7 +34,7 @@ use entropy::Entropy;
 use grid::Grid;
 use sparseness::Sparseness;
 
-/// Effects of more coordinates than this are taken for a mistake.
+/// Upper limit on the dimension; more coordinates are taken for a mistake.
 const HIGHEST: usize = 1_000_000;
 
 /// The diversity of a growing set of effects.
@@ -50,7 +50,7 @@ pub trait Measure: Debug + Send + Sync {
         self.len() == 0
     }
 
-    /// What no gain exceeds; 0 where there is no such bound.
+    /// Upper bound of the gains; 0 if there is none.
     fn largest_gain(&self) -> f64;
 
     /// The diversity of all effects together: 0 for none.

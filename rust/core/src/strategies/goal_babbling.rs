@@ -7,7 +7,7 @@ use crate::goals::GoalSampler;
 use crate::history::History;
 use crate::inverse::InverseModel;
 
-/// A goal, inverted; with nothing observed yet, a command uniform in M.
+/// A goal, inverted; until something is observed, a command uniform in M.
 ///
 /// The draws of the goal, then those of the inverse model.
 #[derive(Debug)]

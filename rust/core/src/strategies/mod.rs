@@ -1,4 +1,4 @@
-//! The strategies, as the engine runs them: who proposes the next motor command.
+//! The strategies, as the engine runs them: what proposes the next motor command.
 //!
 //! A [`Strategy`] proposes by itself; a [`Composite`] lets one of several parts propose. Each has
 //! its counterpart in the Python class of the same name, to which a test holds it equal bit by bit.
@@ -48,7 +48,7 @@ pub trait Strategy: fmt::Debug + Send + Sync {
     /// Refuses what it cannot explore, before an exploration begins.
     ///
     /// # Errors
-    /// If it cannot explore with such a history.
+    /// If it cannot explore with this history.
     fn check(&self, history: &History) -> Result<(), Error> {
         let _ = history;
         Ok(())
@@ -60,8 +60,8 @@ pub trait Composite: fmt::Debug + Send + Sync {
     /// How many parts it chooses among: at least one.
     fn parts(&self) -> usize;
 
-    /// The part that is to propose next, less than [`parts`](Self::parts), and with which
-    /// probability it was chosen, where that is known.
+    /// The part that proposes next, less than [`parts`](Self::parts), and the probability with
+    /// which it was chosen, if known.
     fn choose(&mut self, draws: &mut dyn UniformStream) -> Choice;
 
     /// What it rewards its parts for, if it does.
@@ -89,7 +89,7 @@ pub trait Composite: fmt::Debug + Send + Sync {
         let _ = choice;
     }
 
-    /// What a bandit believes of each of its parts, always as many numbers; None for all others.
+    /// A bandit's estimates of its parts, one for each; None for other composites.
     fn estimates(&self) -> Option<&[f64]> {
         None
     }

@@ -18,7 +18,7 @@ pub(super) struct Discounted {
 }
 
 impl Discounted {
-    /// The head starts are told in order, before all other rewards, and fade like these.
+    /// The head starts come before all other rewards, in order, and fade like these.
     pub fn new(gamma: f64, head_start: usize, parts: usize, largest: f64) -> Self {
         let mut begun = Self {
             gamma,

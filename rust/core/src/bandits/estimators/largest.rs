@@ -1,6 +1,6 @@
 //! The largest reward: known beforehand, or found out as rewards come.
 
-/// What no reward exceeds; where there is no such bound, the largest absolute reward so far.
+/// Upper bound of the rewards; where there is none, the largest absolute reward so far.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Largest {
     value: f64,
@@ -8,7 +8,7 @@ pub(crate) struct Largest {
 }
 
 impl Largest {
-    /// What no reward exceeds, if that is not 0.
+    /// Upper bound of the rewards, if that is not 0.
     pub fn new(largest: f64) -> Self {
         Self { value: largest, bounded: largest > 0.0 }
     }

@@ -1,4 +1,4 @@
-//! Estimators: what a bandit remembers of the rewards that its strategies earned.
+//! Estimators: the mean rewards of a bandit's strategies, over all or recent rewards.
 //!
 //! ```
 //! use divbandit_core::bandits::estimators::EstimatorKind;
@@ -25,19 +25,19 @@ use crate::error::Error;
 pub(super) use largest::Largest;
 pub use window::GainWindow;
 
-/// The longest window: its rewards are kept one by one.
+/// Upper limit on the window, all of whose rewards are stored.
 const LONGEST: usize = 1_000_000;
 
-/// The mean reward of each part, and how much experience it is of.
+/// The mean reward of each part, and its weight.
 pub trait Estimator: fmt::Debug + Send + Sync {
     /// The mean reward of each part; 0 where none is remembered.
     fn means(&self) -> &[f64];
 
-    /// Of how many rewards each mean is, or of what weight all together. 0 for a part that is as
-    /// good as never tried.
+    /// The number of rewards behind each mean, or their total weight; 0 for a part that counts as
+    /// never tried.
     fn counts(&self) -> &[f64];
 
-    /// What no reward exceeds. Where there is no such bound, the largest absolute reward so far.
+    /// Upper bound of the rewards; where there is none, the largest absolute reward so far.
     fn largest(&self) -> f64;
 
     /// Remembers a finite reward of a part.
@@ -79,7 +79,7 @@ pub enum EstimatorKind {
 }
 
 impl EstimatorKind {
-    /// The estimator that begins, for so many parts; no reward exceeds `largest`, if that is not 0.
+    /// Starts the estimator for so many parts; no reward exceeds `largest`, if that is not 0.
     ///
     /// # Errors
     /// If there are no parts, `largest` is negative or not finite, or a parameter is out of range.

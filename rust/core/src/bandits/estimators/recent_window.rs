@@ -9,8 +9,8 @@ use crate::exact_sum::ExactSum;
 /// The mean of each part's rewards among the last `size` rewards of all of them.
 ///
 /// The estimator of SW-UCB (Garivier and Moulines 2008, "On Upper-Confidence Bound Policies for
-/// Non-Stationary Bandit Problems"). A part that was not chosen for `size` steps is as good as
-/// never tried.
+/// Non-Stationary Bandit Problems"). A part that was not chosen for `size` steps counts as never
+/// tried.
 #[derive(Debug)]
 pub(super) struct RecentWindow {
     size: usize,

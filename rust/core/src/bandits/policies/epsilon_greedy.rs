@@ -1,4 +1,4 @@
-//! EpsilonGreedy: the part with the best mean reward, but for a share of random choices.
+//! EpsilonGreedy: the part with the best mean reward, except for random choices.
 
 use super::ties::{best, one_of};
 use super::{Choice, Estimates, Policy};
@@ -6,8 +6,8 @@ use crate::bounds::UniformStream;
 
 /// With probability epsilon uniformly at random, else the best mean reward.
 ///
-/// Sutton and Barto (2018, "Reinforcement Learning: An Introduction", section 2.2). Of several
-/// best ones each is as likely. Two draws a choice, always.
+/// Sutton and Barto (2018, "Reinforcement Learning: An Introduction", section 2.2). Ties are broken
+/// uniformly. Always two draws a choice.
 #[derive(Debug)]
 pub(super) struct EpsilonGreedy {
     epsilon: f64,

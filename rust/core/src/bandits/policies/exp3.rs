@@ -1,4 +1,4 @@
-//! Exp3: weights that grow exponentially with rewards, whatever these come from.
+//! Exp3: weights that grow exponentially with rewards, for adversarial rewards.
 
 use super::shares::{Shares, growth};
 use super::{Choice, Estimates, Policy};
@@ -19,7 +19,7 @@ pub(super) struct Exp3 {
     /// Logarithms of the weights, the largest 0: nothing overflows, and what has become too small
     /// to be drawn can still come back.
     logs: Vec<f64>,
-    /// Of each part to be chosen next.
+    /// The probability of each part in the next choice.
     probabilities: Vec<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Exp3.S: Exp3 that follows when another part becomes the best.
+//! Exp3.S: Exp3 that adapts when another part becomes the best.
 
 use std::f64::consts::E;
 
@@ -24,7 +24,7 @@ pub(super) struct Exp3S {
     shares: Shares,
     /// Their sum is 1 but for rounding: none overflows, and the share alpha keeps all above 0.
     weights: Vec<f64>,
-    /// Of each part to be chosen next.
+    /// The probability of each part in the next choice.
     probabilities: Vec<f64>,
 }
 

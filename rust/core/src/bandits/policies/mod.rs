@@ -1,4 +1,4 @@
-//! Policies: which part a bandit chooses, given what it remembers of the rewards of all.
+//! Policies: which part a bandit chooses, given the estimates of all.
 //!
 //! ```
 //! use divbandit_core::bandits::policies::{Estimates, PolicyKind};
@@ -35,9 +35,9 @@ pub use proportional::powers;
 pub struct Estimates<'a> {
     /// The mean reward of each part.
     pub means: &'a [f64],
-    /// Of how many rewards each mean is.
+    /// The number of rewards behind each mean.
     pub counts: &'a [f64],
-    /// What no reward exceeds, or has exceeded so far.
+    /// Upper bound of the rewards, or of those so far.
     pub largest: f64,
 }
 
@@ -49,7 +49,7 @@ impl<'a> Estimates<'a> {
     }
 }
 
-/// Which part is to propose next.
+/// The part that proposes next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choice {
     /// Its index.
@@ -115,7 +115,7 @@ pub enum PolicyKind {
     },
     /// The largest upper confidence bound.
     Ucb {
-        /// How much is made of not knowing; not negative.
+        /// Weight of the confidence bound; not negative.
         xi: f64,
     },
     /// Thompson sampling with Gaussian posteriors.
@@ -139,7 +139,7 @@ pub enum PolicyKind {
 }
 
 impl PolicyKind {
-    /// The policy that begins, for so many parts; no reward exceeds `largest`, if that is not 0.
+    /// Starts the policy for so many parts; no reward exceeds `largest`, if that is not 0.
     ///
     /// # Errors
     /// If there are no parts, `largest` is negative or not finite, or a parameter is out of range.

@@ -8,7 +8,7 @@ use crate::strategies::{share_of, total_of};
 /// Of K parts with mean rewards m_j (a negative one counts as 0) part j with probability
 /// alpha / K + (1 - alpha) m_j^power / (sum of m_i^power); with 1 / K where no mean is positive.
 ///
-/// Benureau and Oudeyer 2015. Two draws a choice, always.
+/// Benureau and Oudeyer 2015. Always two draws a choice.
 #[derive(Debug)]
 pub(super) struct Proportional {
     alpha: f64,

@@ -1,4 +1,4 @@
-//! Rewards as shares of the largest, for policies that want them in [0, 1].
+//! Rewards as shares of the largest, for policies that need them in [0, 1].
 
 use crate::bandits::estimators::Largest;
 
@@ -7,7 +7,7 @@ use crate::bandits::estimators::Largest;
 pub(super) struct Shares(Largest);
 
 impl Shares {
-    /// Of what no reward exceeds; if that is not known, 0, of the largest so far.
+    /// Upper bound of the rewards; if there is none, 0, the largest so far.
     pub fn new(largest: f64) -> Self {
         Self(Largest::new(largest))
     }

@@ -12,7 +12,7 @@ const LEAST: f64 = 0.25 * f64::EPSILON;
 /// Thompson sampling with Gaussian posteriors (Agrawal and Goyal 2013, "Further Optimal Regret
 /// Bounds for Thompson Sampling", AISTATS, 99-107), where m_j is the mean reward of part j and n_j
 /// of how many rewards; theirs divides the sum of rewards by n_j + 1. B is the largest reward, 1
-/// while there is none. As many draws a choice as there are parts, in order.
+/// while there is none. Each choice draws once for each part, in order.
 #[derive(Debug)]
 pub(super) struct Thompson;
 

@@ -15,7 +15,7 @@ pub(super) fn best(values: &[f64], places: &mut Vec<usize>) {
     }
 }
 
-/// One of these places, each as likely.
+/// One of these places, uniformly at random.
 pub(super) fn one_of(places: &[usize], u: f64) -> usize {
     places[(u * places.len() as f64) as usize]
 }

@@ -1,4 +1,4 @@
-//! UCB: the part whose mean reward could be the best, given how little is known of it.
+//! UCB: the part with the largest upper confidence bound on its mean reward.
 
 use super::ties::{best, one_of};
 use super::{Choice, Estimates, Policy};
@@ -8,19 +8,18 @@ use crate::strategies::total_of;
 
 /// The part j with the largest m_j + B sqrt(xi ln(n) / n_j).
 ///
-/// m_j is the mean reward that is remembered of it and n_j of how many rewards that is, n the sum
-/// of all n_j, B the largest reward. With the whole past and xi = 2 it is UCB1 (Auer, Cesa-Bianchi
-/// and Fischer 2002, "Finite-time Analysis of the Multiarmed Bandit Problem"); with the window of
+/// m_j is its mean reward by the estimator, n_j the number of rewards behind that, n the sum of all
+/// n_j, B the largest reward. With the whole past and xi = 2 it is UCB1 (Auer, Cesa-Bianchi and
+/// Fischer 2002, "Finite-time Analysis of the Multiarmed Bandit Problem"); with the window of
 /// recent rewards SW-UCB, with discounted ones and 4 xi D-UCB (Garivier and Moulines 2008, "On
 /// Upper-Confidence Bound Policies for Non-Stationary Bandit Problems").
 ///
-/// A part that was asked and has not been told of yet counts as if it had earned its mean once
-/// more. Parts that were never tried come first; of several best ones each is as likely. One draw
-/// a choice, always.
+/// A pending trial counts as if it had earned its part's mean. Parts that were never tried come
+/// first; ties are broken uniformly. Always one draw a choice.
 #[derive(Debug)]
 pub(super) struct Ucb {
     xi: f64,
-    /// How often each part was asked without being told of.
+    /// The number of pending trials of each part.
     asked: Vec<usize>,
     counts: Vec<f64>,
     bounds: Vec<f64>,

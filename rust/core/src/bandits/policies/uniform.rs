@@ -1,4 +1,4 @@
-//! Uniform: any part, each as likely.
+//! Uniform: parts uniformly at random.
 
 use super::{Choice, Estimates, Policy};
 use crate::bounds::UniformStream;

@@ -32,7 +32,7 @@ impl Reward for CompetenceProgress {
         self.before.file_all();
         let (_, index) = self.before.nearest(goal)?;
         let progress = distance(goal, &known[index * dim..][..dim]) - distance(goal, newest);
-        // Of two distances beyond all numbers, whose difference is none, 0 remains.
+        // The difference of two infinite distances is not a number: then it is 0.
         Ok(if progress > 0.0 { progress } else { 0.0 })
     }
 }

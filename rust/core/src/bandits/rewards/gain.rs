@@ -7,8 +7,8 @@ use crate::measures::Measure;
 
 /// The gain of the newest effect: div(y, E) = C(E + y) - C(E) (Benureau and Oudeyer 2015).
 ///
-/// A nested bandit is asked about its own trials alone; the effects of others, which it has not
-/// seen, are added first.
+/// A nested bandit rewards its own trials alone; the effects of others, which it has not seen, are
+/// added first.
 #[derive(Debug)]
 pub(super) struct Gain {
     measure: Box<dyn Measure>,

@@ -14,7 +14,7 @@ use crate::measures::MeasureKind;
 use competence_progress::CompetenceProgress;
 use gain::Gain;
 
-/// A reward under way: it follows from the history alone, so that bandits may share one.
+/// A running reward: it follows from the history alone, so that bandits may share one.
 pub trait Reward: fmt::Debug + Send + Sync {
     /// The reward of the newest effect of the history, whose trial had this goal.
     ///
@@ -33,7 +33,7 @@ pub enum RewardKind {
 }
 
 impl RewardKind {
-    /// What no reward exceeds where effects have `dim` dimensions; 0 where there is no such bound.
+    /// Upper bound of the rewards of effects of `dim` dimensions; 0 if there is none.
     ///
     /// # Errors
     /// If effects of that dimension cannot be rewarded.

@@ -116,11 +116,12 @@ def strategies_of(strategies: Iterable[Strategy]) -> tuple[Strategy, ...]:
     if isinstance(strategies, Strategy):
         raise TypeError("strategies must be a list of strategies, got a single one")
     try:
-        every = tuple(strategies)
+        each = iter(strategies)
     except TypeError:
         raise TypeError(
             f"strategies must be a list of strategies, got {type(strategies).__name__}"
         ) from None
+    every = tuple(each)
     if not every:
         raise ValueError("strategies must hold at least one strategy, got none")
     for index, strategy in enumerate(every):

@@ -112,7 +112,13 @@ impl<'a> Reader<'a> {
     ) -> PyResult<usize> {
         let parts = self.places_of(path, part)?;
         let reward = part.getattr("rewarding")?;
-        let reward = ours(reward_of(&reward)?, &format!("{path}.reward"), &reward)?;
+        let Some(reward) = reward_of(&reward)? else {
+            let path = format!("{path}.reward");
+            return Err(match class_of(&reward)?.as_deref() {
+                Some("Gain") => foreign(&format!("{path}.measure"), &reward.getattr("measure")?),
+                _ => foreign(&path, &reward),
+            });
+        };
         let dim = self.history.effect_dim();
         let bandit =
             Bandit::new(parts.len(), reward, estimator, policy, dim).map_err(value_error)?;

@@ -3,6 +3,7 @@
 import signal
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -10,31 +11,42 @@ import pytest
 import divbandit as db
 from divbandit.exploration.explore import explore_between
 
+#: Interrupted in the middle, it says whether what it holds is the beginning of another run.
 SCRIPT = """
 import divbandit as db
+arm = db.PlanarArm(20)
 adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
+class Mine:
+    motor_space, sensory_space = arm.motor_space, arm.sensory_space
+    def __call__(self, command):
+        return arm(command)
 try:
     print("begun", flush=True)
-    db.explore(db.PlanarArm(20), adapt, 10**8, rng=0, engine={engine!r}, keep_commands=False)
-except KeyboardInterrupt:
-    print("interrupted", flush=True)
+    db.explore({environment}, adapt, 3 * 10**7, rng=0, engine={engine!r}, keep_commands=False)
+except KeyboardInterrupt as error:
+    history = error.explorer.history
+    begun = db.explore(arm, adapt, min(1000, len(history)), rng=0).effects
+    same = begun.tolist() == history.effects[:1000].tolist()
+    print("interrupted, with", "all" if same else "something else", flush=True)
 """
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT for another process")
+@pytest.mark.parametrize("environment", ["arm", "Mine()"])
 @pytest.mark.parametrize("engine", ["python", "rust"])
-def test_ctrl_c(engine):
-    """A hundred million steps would take minutes."""
-    command = [sys.executable, "-c", SCRIPT.format(engine=engine)]
+def test_ctrl_c(engine, environment):
+    """Thirty million steps would take minutes."""
+    command = [sys.executable, "-c", SCRIPT.format(engine=engine, environment=environment)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:  # noqa: S603
         try:
             assert process.stdout.readline() == "begun\n"
+            time.sleep(0.3)
             process.send_signal(signal.SIGINT)
             out, _ = process.communicate(timeout=30)
         except BaseException:
             process.kill()
             raise
-    assert (process.returncode, out) == (0, "interrupted\n")
+    assert (process.returncode, out) == (0, "interrupted, with all\n")
 
 
 @pytest.mark.parametrize("engine", ["python", "rust"])
@@ -52,7 +64,7 @@ def test_what_is_called_between_ends_it(engine):
             arm, db.MotorBabbling(), 10**7, rng, engine, keep_commands=False, between=between
         )
     assert len(calls) == 3
-    assert 0 <= rng.random() < 1  # nobody holds the generator any more
+    assert 0 <= rng.random() < 1  # the generator is free again
 
 
 @pytest.mark.parametrize("n", [2**62, 2**70])

@@ -6,17 +6,37 @@
 import copy
 import dataclasses
 import inspect
+import json
 import math
 import pickle
 
 import numpy as np
+import optuna
 import pytest
 from mabwiser.mab import LearningPolicy
-from optuna.samplers import CmaEsSampler
 
 import divbandit as db
-from divbandit import adapters, bandits, goals, inverse, measures
+from divbandit._recipe import NoRecipeError, made_from, recipe_of
 from divbandit._value import Value, field_names
+from divbandit.adapters import MabwiserPolicy, OptunaSampler, QuasiRandomBabbling, RibsEmitter
+from divbandit.bandits import (
+    UCB,
+    CompetenceProgress,
+    Discounted,
+    EpsilonGreedy,
+    Exp3,
+    Exp3S,
+    FunctionReward,
+    Gain,
+    Proportional,
+    RecentWindow,
+    RoundRobin,
+    Softmax,
+    Thompson,
+    Uniform,
+    WholePast,
+    Window,
+)
 from divbandit.controllers import (
     FunctionController,
     MovementPrimitives,
@@ -39,9 +59,22 @@ from divbandit.environments import (
 )
 from divbandit.environments.obstacles import Obstacle
 from divbandit.experiments import Task
+from divbandit.goals import (
+    FrontierGoals,
+    GridGoals,
+    NovelGoals,
+    UncoveredGoals,
+    UniformGoals,
+    UntriedGoals,
+)
+from divbandit.inverse import KNearest, LocalJacobian, LocalRegression, Nearest
+from divbandit.measures import BallCoverage, Entropy, GridCoverage, Sparseness
+from tests.compositions import NAMES as STRATEGIES
+from tests.compositions import adapted, compositions
 
-SQUARE = db.Box([-1, -1], [1, 1])
-RMB, RGB = db.MotorBabbling(), db.GoalBabbling()
+SQUARE, ARM = db.Box([-1, -1], [1, 1]), PlanarArm(4)
+#: No strategy is made of what is in these packages.
+NOT_IN_FILES = ("environments", "controllers", "experiments")
 
 
 def swap(x):
@@ -65,6 +98,16 @@ def final(episode):
     return episode.observations[-1]
 
 
+def height(effect, history):
+    del history
+    return float(effect[1])
+
+
+def parzen(seed):
+    return optuna.samplers.TPESampler(n_startup_trials=5, seed=seed)
+
+
+RMB, RGB = db.MotorBabbling(), db.GoalBabbling(0.25)
 DISC = Disc([0, 0.5], 0.1)
 HOLD = FunctionController(hold, db.Box([-2], [2]))
 
@@ -107,96 +150,110 @@ PARTS = [
         limit=1,
         turns=True,
     ),
-    # Goal samplers and inverse models.
-    goals.UniformGoals(),
-    goals.UniformGoals(SQUARE),
-    goals.GridGoals(5),
-    goals.GridGoals([4, 5], box=SQUARE),
-    goals.UncoveredGoals(0.1),
-    goals.UncoveredGoals(0.1, box=SQUARE),
-    goals.FrontierGoals(0.1),
-    goals.FrontierGoals(0.1, box=SQUARE),
-    goals.NovelGoals(3),
-    goals.NovelGoals(2, box=SQUARE),
-    goals.UntriedGoals(0.1),
-    goals.UntriedGoals(0.1, box=SQUARE, candidates=4),
-    inverse.Nearest(0.05),
-    inverse.KNearest(3, 0.05),
-    inverse.KNearest(2),
-    inverse.LocalRegression(8, 0.05),
-    inverse.LocalJacobian(),
-    # Measures.
-    measures.BallCoverage(0.1),
-    measures.BallCoverage(0.1, accuracy=0.01),
-    measures.GridCoverage(0.1),
-    measures.GridCoverage([0.1, 0.2], origin=[0, 1]),
-    measures.Sparseness(),
-    measures.Sparseness(3),
-    measures.Entropy(0.1),
-    measures.Entropy([0.1, 0.2], origin=0.5),
-    # Rewards, estimators and policies.
-    bandits.Gain(measures.Sparseness()),
-    bandits.CompetenceProgress(),
-    bandits.FunctionReward(product),
-    bandits.FunctionReward(product, bound=2),
-    bandits.Window(),
-    bandits.Window(20, head_start=0),
-    bandits.RecentWindow(20),
-    bandits.Discounted(0.5),
-    bandits.Discounted(0.5, head_start=1),
-    bandits.WholePast(),
-    bandits.Proportional(),
-    bandits.Proportional(0.2, power=2),
-    bandits.EpsilonGreedy(0.1),
-    bandits.Softmax(0.1),
-    bandits.UCB(2),
-    bandits.Thompson(),
-    bandits.Exp3(0.1),
-    bandits.Exp3S(0.1, 0.01),
-    bandits.RoundRobin(),
-    bandits.Uniform(),
-    adapters.MabwiserPolicy(LearningPolicy.UCB1(0.5)),
-    adapters.MabwiserPolicy(LearningPolicy.Popularity()),
-    # Strategies.
-    RMB,
-    RGB,
-    db.GoalBabbling(0.25, goals=SQUARE),
-    db.GoalBabbling(goals=goals.NovelGoals(3), inverse=inverse.LocalJacobian()),
-    db.Mixture([RMB, RGB]),
-    db.Mixture([RMB, RGB], weights=[0.25, 0.75]),
-    db.Schedule([(10, RMB), (None, RGB)]),
-    db.Adapt([RMB, RGB]),
-    db.Adapt([RMB, RGB], tau=0.1, window=20, alpha=0.2, head_start=0, power=2),
-    db.Adapt([RMB, db.Mixture([RMB, RGB])], reward=product),
-    db.Adapt([RMB, RGB], reward=bandits.Gain(measures.GridCoverage(0.1))),
-    db.Bandit([RMB, RGB], tau=0.1, estimator=bandits.Window(), policy=bandits.Uniform()),
-    db.Bandit([RMB], reward=product, estimator=bandits.Window(9), policy=bandits.UCB(2)),
-    db.default_strategy(0.1),
-    adapters.QuasiRandomBabbling(),
-    adapters.OptunaSampler(),
-    adapters.OptunaSampler(CmaEsSampler, reward=bandits.CompetenceProgress()),
-    adapters.RibsEmitter(),
-    adapters.RibsEmitter("evolution", box=SQUARE, cells=7, objective=product),
-    adapters.RibsEmitter(hold, archive=product),
     # Experiments.
     Task(PlanarArm(2), db.MotorBabbling(), 10),
+    Task(PlanarArm(2), RGB, n=10, rng=3, engine="python", keep_commands=False),
+    # Goal samplers.
+    UniformGoals(),
+    UniformGoals(SQUARE),
+    GridGoals(3),
+    GridGoals(np.array([4, 5]), box=SQUARE),
+    UncoveredGoals(0.1),
+    UncoveredGoals(1, tries=7, box=SQUARE),
+    FrontierGoals(0.1),
+    FrontierGoals(1, reach=3, tries=7, box=SQUARE),
+    NovelGoals(),
+    NovelGoals(3, box=SQUARE),
+    UntriedGoals(0.1),
+    UntriedGoals(1, candidates=3, tries=7, reach=3, box=SQUARE),
+    # Inverse models.
+    Nearest(),
+    Nearest(0.25),
+    KNearest(),
+    KNearest(3, 1),
+    LocalRegression(),
+    LocalRegression(3, 0.25, ridge=1, reach=2),
+    LocalJacobian(),
+    LocalJacobian(9, 5, ridge=1, reach=0.5, noise=0),
+    # Measures.
+    BallCoverage(0.1),
+    BallCoverage(1, accuracy=0.5),
+    GridCoverage(0.5),
+    GridCoverage(np.array([0.5, 1]), origin=[1, 2]),
+    Sparseness(),
+    Sparseness(3),
+    Entropy(0.5),
+    Entropy([0.5, 1], origin=1),
+    # Rewards.
+    Gain(BallCoverage(0.1)),
+    CompetenceProgress(),
+    FunctionReward(height),
+    FunctionReward(height, bound=1),
+    # Estimators.
+    Window(),
+    Window(5, head_start=0),
+    RecentWindow(5),
+    Discounted(0.9),
+    Discounted(1, head_start=2),
+    WholePast(),
+    # Policies.
+    Proportional(),
+    Proportional(0.25, power=2),
+    EpsilonGreedy(0.25),
+    Softmax(),
+    Softmax(0.25, scaled=False),
+    UCB(),
+    UCB(0.5),
+    Thompson(),
+    Exp3(0.25),
+    Exp3S(0.25, 0.5),
+    RoundRobin(),
+    Uniform(),
+    MabwiserPolicy(LearningPolicy.UCB1(alpha=1.5)),
+    # Strategies.
+    RMB,
+    db.GoalBabbling(),
+    RGB,
+    db.GoalBabbling(0.25, goals=SQUARE),
+    db.GoalBabbling(goals=NovelGoals(3), inverse=KNearest(3)),
+    db.Mixture([RMB, RGB]),
+    db.Mixture((RMB, RGB), weights=np.array([1, 3])),
+    db.Schedule([(3, RMB), (None, RGB)]),
+    db.Adapt([RMB, RGB]),
+    db.Adapt([RMB], tau=1, window=5, alpha=0.25, head_start=0, power=2),
+    db.Adapt(iter([RMB]), reward=height),
+    db.Adapt([RMB], reward=Gain(GridCoverage(0.5))),
+    db.Bandit([RMB, RGB], estimator=Window(), policy=UCB(), tau=0.5),
+    db.Bandit([RMB], estimator=WholePast(), policy=Thompson(), reward=CompetenceProgress()),
+    db.default_strategy(0.1, goals=SQUARE),
+    QuasiRandomBabbling(),
+    OptunaSampler(),
+    OptunaSampler(optuna.samplers.RandomSampler, reward=CompetenceProgress()),
+    OptunaSampler(parzen),
+    RibsEmitter(),
+    RibsEmitter("evolution", box=SQUARE, cells=50, objective=height),
 ]
 IDS = [f"{type(part).__name__}-{index}" for index, part in enumerate(PARTS)]
 
+#: Where the public classes are.
+PACKAGES = (
+    db,
+    db.environments,
+    db.controllers,
+    db.goals,
+    db.inverse,
+    db.measures,
+    db.bandits,
+    db.adapters,
+    db.experiments,
+)
+
 #: What the representation of a part may name.
 NAMES = {
-    **vars(db),
-    **vars(db.controllers),
-    **vars(db.environments),
-    **vars(db.experiments),
-    **vars(db.goals),
-    **vars(db.inverse),
-    **vars(db.measures),
-    **vars(db.bandits),
-    **vars(db.adapters),
-    **{each.__name__: each for each in (LearningPolicy.UCB1, LearningPolicy.Popularity)},
-    "CmaEsSampler": CmaEsSampler,
-    **{each.__name__: each for each in (swap, product, hold, halves, final)},
+    **{name: item for package in PACKAGES for name, item in vars(package).items()},
+    **{each.__name__: each for each in (swap, product, hold, halves, final, height, parzen)},
+    **vars(optuna.samplers),
+    "UCB1": LearningPolicy.UCB1,
 }
 
 each_part = pytest.mark.parametrize("part", PARTS, ids=IDS)
@@ -277,11 +334,9 @@ def test_the_arms_of_mujoco_are_values_too(make):
 
 
 def public_values():
-    kinds = (getattr(db, name) for name in db.__all__)
-    packages = [db, *filter(inspect.ismodule, kinds)]
     return {
         each
-        for package in packages
+        for package in PACKAGES
         for each in (getattr(package, name) for name in package.__all__)
         if isinstance(each, type) and issubclass(each, Value)
     }
@@ -289,3 +344,78 @@ def public_values():
 
 def test_every_public_class_has_an_instance_here():
     assert public_values() - {type(part) for part in PARTS} - {Obstacle} == set()
+
+
+def test_no_public_part_is_anything_else():
+    """All that can be started or gives effects is a value, but for what users derive from."""
+    named = {
+        f"{package.__name__}.{name}": getattr(package, name)
+        for package in PACKAGES
+        for name in package.__all__
+        if isinstance(getattr(package, name), type)
+    }
+    parts = {name for name, each in named.items() if hasattr(each, "start") or is_black_box(each)}
+    values = {name for name, each in named.items() if issubclass(each, Value)}
+    theirs = {"Strategy", "Composite", "Environment", "Measure", "Reward", "Estimator", "Policy"}
+    assert {name for name in parts - values if name.split(".")[-1] not in theirs} == set()
+
+
+def is_black_box(each):
+    return callable(each) and hasattr(each, "sensory_space")
+
+
+OF_STRATEGIES = [part for part in PARTS if type(part).__module__.split(".")[1] not in NOT_IN_FILES]
+
+
+@pytest.mark.parametrize("part", OF_STRATEGIES, ids=repr)
+def test_a_recipe_in_json_makes_an_equal_part(part):
+    try:
+        recipe = json.loads(json.dumps(recipe_of(part)))
+    except NoRecipeError:
+        assert has_a_users(part)
+    else:
+        assert not has_a_users(part)
+        assert_alike(made_from(recipe), part)
+
+
+def has_a_users(part):
+    """Say whether a function, or a part of another library, is among its fields."""
+    fields = [getattr(part, name) for name in field_names(part)]
+    return any(
+        has_a_users(each) if isinstance(each, Value) else callable(each) or hasattr(each, "_fields")
+        for each in fields
+    )
+
+
+def stepped(explorer, count):
+    for _ in range(count):
+        trial = explorer.ask()
+        explorer.tell(trial, ARM(trial.command))
+
+
+@pytest.mark.parametrize(
+    ("name", "engine"),
+    [(name, "python") for name in STRATEGIES]
+    + [(name, "auto") for name in STRATEGIES if name not in adapted()],
+)
+def test_a_strategy_in_two_explorations_at_once(name, engine):
+    """Neither notices the other, and the value is what it was."""
+    strategy = compositions()[name]
+    before, pickled = repr(strategy), pickle.dumps(strategy)
+
+    def explorer(seed):
+        return db.Explorer(strategy, ARM.motor_space, ARM.sensory_space, rng=seed, engine=engine)
+
+    alone = [explorer(seed) for seed in range(2)]
+    for each in alone:
+        stepped(each, 24)
+    together = [explorer(seed) for seed in range(2)]
+    for count in (1, 2, 5, 16):
+        for each in together:
+            stepped(each, count)
+    for one, other in zip(together, alone, strict=True):
+        assert one.history.commands.tobytes() == other.history.commands.tobytes()
+        assert one.history.paths == other.history.paths
+        assert one.estimates == other.estimates
+    assert together[0].history.commands.tobytes() != together[1].history.commands.tobytes()
+    assert (repr(strategy), pickle.dumps(strategy)) == (before, pickled)

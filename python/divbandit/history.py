@@ -86,7 +86,7 @@ class History:
         self._failures: list[Failure] = []
         goals = self.sensory_space
         self._log = _core.History(self.motor_space.bounds, None if goals is None else goals.bounds)
-        # Copies of the log in NumPy's memory, as far as they were looked at.
+        # Copies of the log in NumPy's memory, as far as it has been read.
         self._commands = np.empty((0, self.motor_space.dim))
         self._effects = np.empty((0, 0 if goals is None else goals.dim))
         self._looked_at = [0, 0]

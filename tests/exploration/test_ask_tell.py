@@ -25,7 +25,7 @@ def test_telling_twice_is_refused():
     trial = explorer.ask()
     explorer.tell(trial, [0.5, 0.5])
     before = told(explorer)
-    with pytest.raises(ValueError, match="trial must be one that this explorer asked for"):
+    with pytest.raises(ValueError, match="trial must be pending"):
         explorer.tell(trial, [0.5, 0.5])
     assert told(explorer) == before
 
@@ -34,7 +34,7 @@ def test_another_explorers_trial_is_refused():
     explorer, other = new_explorer(), new_explorer()
     mine, theirs = explorer.ask(), other.ask()
     assert mine.command.tolist() == theirs.command.tolist()
-    with pytest.raises(ValueError, match="trial must be one that this explorer asked for"):
+    with pytest.raises(ValueError, match="trial must be pending"):
         explorer.tell(theirs, [0.5, 0.5])
     assert len(explorer.history) == 0
     explorer.tell(mine, [0.5, 0.5])
@@ -45,7 +45,7 @@ def test_another_explorers_trial_is_refused():
 def test_a_trial_made_by_hand_is_refused():
     explorer = new_explorer()
     command = explorer.ask().command
-    with pytest.raises(ValueError, match="trial must be one that this explorer asked for"):
+    with pytest.raises(ValueError, match="trial must be pending"):
         explorer.tell(db.Trial(command), [0.5, 0.5])
 
 

@@ -27,7 +27,7 @@ def test_the_log_tells_of_it_and_nothing_else_does():
     assert explorer.result().effects.tolist() == [[0.5, 0.5], [0.1, 0.5]]
     assert explorer.open_trials == ()
     for call in (lambda: explorer.fail(first, "again"), lambda: explorer.tell(first, [0, 0])):
-        with pytest.raises(ValueError, match="trial must be one that this explorer asked for"):
+        with pytest.raises(ValueError, match="trial must be pending"):
             call()
 
 

@@ -37,7 +37,13 @@ def everything(explorer):
         explorer.estimates,
         [(f.command.tolist(), *f[1:]) for f in run.failures],
         [
-            (t.number, list(t.command), t.path, t.probability, None if t.goal is None else list(t.goal))
+            (
+                t.number,
+                list(t.command),
+                t.path,
+                t.probability,
+                None if t.goal is None else list(t.goal),
+            )
             for t in explorer.open_trials
         ],
         str(explorer.rng.bit_generator.state),

@@ -1,7 +1,5 @@
 """The history: a log that grows, cannot be changed from outside, and knows what is near."""
 
-import copy
-
 import numpy as np
 import pytest
 
@@ -77,28 +75,32 @@ def test_nearest_is_brute_force_at_any_moment(name):
 
 
 def test_nothing_is_near_in_an_empty_history():
-    history = db.History(SPACE, PLANE)
-    for ask in (history.nearest, lambda goal: history.inverse(goal, np.random.default_rng(0))):
-        with pytest.raises(ValueError, match="history must not be empty"):
-            ask([0, 0])
+    with pytest.raises(ValueError, match="history must not be empty"):
+        db.History(SPACE, PLANE).nearest([0, 0])
 
 
-def test_the_inverse_returns_the_nearest_command_for_d_zero():
-    history, commands, effects = filled(500)
-    rng = np.random.default_rng(0)
-    for goal in family("uniform", 100, 2, seed=7):
-        _, (index,) = nearest(effects, goal)
-        assert history.inverse(goal, rng, d=0).tolist() == commands[index].tolist()
+BAD = {
+    "no command": ("ab", [0, 0], ()),
+    "a short command": ([0, 0], [0, 0], ()),
+    "outside": ([0, 0, 2], [0, 0], ()),
+    "no effect": ([0, 0, 0], None, ()),
+    "a long effect": ([0, 0, 0], [0, 0, 0], ()),
+    "not finite": ([0, 0, 0], [0, np.nan], ()),
+    "a list as path": ([0, 0, 0], [0, 0], [1]),
+    "a negative index": ([0, 0, 0], [0, 0], (0, -1)),
+    "half an index": ([0, 0, 0], [0, 0], (0.5,)),
+    "too large an index": ([0, 0, 0], [0, 0], (2**32,)),
+}
 
 
-def test_a_copy_goes_its_own_way():
-    history, _, effects = filled(10)
-    history.nearest([0, 0])
-    other = copy.deepcopy(history)
-    other.append([0, 0, 0], [0.001, 0.001])
-    assert (len(history), len(other)) == (10, 11)
-    assert other.nearest([0, 0])[1] == 10
-    assert history.nearest([0, 0])[1] == nearest(effects, [0, 0])[1][0]
+@pytest.mark.parametrize(("command", "effect", "path"), BAD.values(), ids=BAD)
+def test_what_is_refused_leaves_no_trace(command, effect, path):
+    history, commands, effects = filled(10)
+    with pytest.raises((TypeError, ValueError), match=r"^(command|effect|path)"):
+        history.append(command, effect, path=path)
+    assert history.commands.tolist() == commands.tolist()
+    assert history.effects.tolist() == effects.tolist()
+    assert len(history.paths) == 10
 
 
 def test_its_repr_says_its_size():

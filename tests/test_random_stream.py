@@ -47,12 +47,12 @@ def observed_history():
 @pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
 def test_draws_are_the_generators_own_and_leave_its_state(bit_generator):
     rng, plain = twins(bit_generator)
-    box, history = db.Box(LOW, HIGH), observed_history()
+    box, history, model = db.Box(LOW, HIGH), observed_history(), db.inverse.Nearest(0.1)
     for _ in range(300):
         assert box.sample(rng).tolist() == uniform(LOW, HIGH, plain).tolist()
         assert rng.random() == plain.random()
-        inverse = history.inverse([0.6], rng, d=0.1)
-        assert inverse.tolist() == near(history.commands[1], 0.1, plain).tolist()
+        command = model.command([0.6], history, rng)
+        assert command.tolist() == near(history.commands[1], 0.1, plain).tolist()
         assert rng.integers(1000) == plain.integers(1000)
         assert rng.normal() == plain.normal()
         parent = box.sample(rng)
@@ -68,7 +68,7 @@ def test_the_lock_is_free_afterwards(bit_generator):
     lock, history = rng.bit_generator.lock, observed_history()
     db.Box(LOW, HIGH).sample(rng)
     assert is_free(lock)
-    history.inverse([0.6], rng)
+    db.inverse.Nearest(0.1).command([0.6], history, rng)
     assert is_free(lock)
 
 
@@ -76,13 +76,12 @@ def test_the_lock_is_free_afterwards(bit_generator):
 @pytest.mark.parametrize(
     "fail",
     [
-        lambda history, rng: history.inverse([0.5, 0.5], rng),
-        lambda history, rng: history.inverse([np.nan], rng),
-        lambda history, rng: history.inverse([0.5], rng, d=2),
+        lambda history, rng: db.inverse.Nearest().command([0.5, 0.5], history, rng),
+        lambda history, rng: db.inverse.Nearest().command([np.nan], history, rng),
         lambda history, rng: history.motor_space.bounds.perturb([9, 9, 9], 0.1, rng),
         lambda history, rng: history.motor_space.bounds.perturb([0, 0, 5], -1, rng),
     ],
-    ids=["goal's shape", "goal's value", "d above 1", "parent outside", "d below 0"],
+    ids=["goal's shape", "goal's value", "parent outside", "d below 0"],
 )
 def test_an_error_draws_nothing_and_frees_the_lock(fail, bit_generator):
     rng, plain = twins(bit_generator)

@@ -98,6 +98,8 @@ class History:
     @property
     def commands(self) -> NDArray[np.float64]:
         """The motor commands in order of observation, shape (n, m); a read-only view."""
+        if not self._log.keeps_commands:
+            raise AttributeError("commands were not kept: explore(..., keep_commands=True) does")
         self._commands = _extended(
             self._commands, self._log.commands_from(self._looked_at[0]), len(self)
         )

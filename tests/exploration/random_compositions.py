@@ -54,10 +54,14 @@ class _Drawing:
     def one_of(self, *values):
         return self.draw(st.sampled_from(values))
 
+    def once_in(self, n):
+        """Draw whether to do what is done once in `n` times."""
+        return self.draw(st.integers(1, n)) == n
+
     def maybe_shared(self, kind, make):
         """Draw a part, perhaps one that stands elsewhere already."""
         known = self.shared.setdefault(kind, [])
-        if known and self.one_of(True, False, False):
+        if known and self.once_in(3):
             return self.one_of(*known)
         known.append(make())
         return known[-1]
@@ -65,7 +69,7 @@ class _Drawing:
     def part(self, deepest):
         """Draw a strategy at most `deepest` deep."""
         known = [part for part, depth in self.made if depth <= deepest]
-        if known and self.one_of(True, False, False, False, False):
+        if known and self.once_in(5):
             return self.one_of(*known)
         makers = [self.motor_babbling, self.goal_babbling, self.goal_babbling]
         if deepest > 0:
@@ -82,14 +86,14 @@ class _Drawing:
         return db.MotorBabbling()
 
     def goal_babbling(self, _):
-        if self.one_of(True, False, False):
+        if self.once_in(3):
             box = self.draw(boxes(self.dim)) if self.needs_goals else None
             return db.GoalBabbling(self.draw(SHARES), goals=box)
         sampler = self.maybe_shared("goals", self.sampler)
         return db.GoalBabbling(goals=sampler, inverse=self.maybe_shared("inverse", self.model))
 
     def sampler(self):
-        own = self.needs_goals or self.one_of(True, False)
+        own = self.needs_goals or self.once_in(2)
         box = self.draw(boxes(self.dim)) if own else None
         kind = self.one_of(*goals.__all__)
         tau = self.draw(TAUS)
@@ -121,7 +125,7 @@ class _Drawing:
 
     def mixture(self, deepest):
         parts = self.parts(deepest)
-        if self.one_of(True, False):
+        if self.once_in(2):
             return db.Mixture(parts)
         weights = [self.draw(WEIGHTS) for _ in parts]
         if not any(weights):
@@ -131,7 +135,7 @@ class _Drawing:
     def schedule(self, deepest):
         parts = self.parts(deepest)
         steps = [self.draw(st.integers(1, 20)) for _ in parts]
-        if self.one_of(True, False):
+        if self.once_in(2):
             steps[-1] = None
         return db.Schedule(zip(steps, parts, strict=True))
 
@@ -171,12 +175,12 @@ class _Drawing:
 
     def rewarded(self):
         """Draw what strategies are rewarded for."""
-        if self.one_of(True, False, False):
+        if self.once_in(3):
             return {"tau": self.draw(TAUS)}
         return {"reward": self.maybe_shared("reward", self.reward)}
 
     def reward(self):
-        if self.one_of(True, False, False):
+        if self.once_in(3):
             return bandits.CompetenceProgress()
         return bandits.Gain(self.maybe_shared("measure", self.measure))
 
@@ -205,7 +209,7 @@ class _Drawing:
         return self.one_of(
             bandits.Proportional(share, power=self.draw(POWERS)),
             bandits.EpsilonGreedy(share),
-            bandits.Softmax(self.draw(TAUS), scaled=self.one_of(True, False)),
+            bandits.Softmax(self.draw(TAUS), scaled=self.once_in(2)),
             bandits.UCB(self.one_of(0.0, 0.6, 2.0)),
             bandits.Thompson(),
             bandits.Exp3(strict),

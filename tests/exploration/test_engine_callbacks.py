@@ -87,15 +87,23 @@ def test_the_open_trial_can_have_failed(engine, tmp_path):
 
 @pytest.mark.parametrize("strategy", [ADAPT, db.MotorBabbling()], ids=["adapt", "motor"])
 @pytest.mark.parametrize("engine", ENGINES)
-def test_without_commands_too(engine, strategy):
-    """What no strategy looks at may be forgotten, and cannot be saved then."""
+def test_without_commands_it_is_gone_on_with(engine, strategy):
     explorer = broken(engine, 31, strategy=strategy, keep_commands=False)
-    assert len(explorer.history) == 30
-    run = explorer.result(keep_commands=False)
-    assert run.effects.tolist() == db.explore(ARM, strategy, 30, rng=0).effects.tolist()
     trial = explorer.open_trials[0]
     explorer.tell(trial, ARM(trial.command))
-    assert len(explorer.history) == 31
+    plain = db.explore(ARM, strategy, 31, rng=0)
+    assert explorer.result().effects.tolist() == plain.effects.tolist()
+
+
+def test_commands_that_were_not_kept_are_missed_by_name(tmp_path):
+    """The engine forgets what no strategy looks at."""
+    explorer = broken("rust", 31, strategy=db.MotorBabbling(), keep_commands=False)
+    with pytest.raises(AttributeError, match="commands were not kept"):
+        _ = explorer.history.commands
+    assert not hasattr(explorer.result(), "commands")
+    with pytest.raises(ValueError, match="commands must have been kept to be saved"):
+        explorer.save(tmp_path / "run")
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("bad", [None, [np.nan, 0], [0], "ab", [[0, 0]]], ids=str)

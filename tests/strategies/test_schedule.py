@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.strategies import Starter
 
 ARM = db.PlanarArm(2)
 RMB = db.MotorBabbling()
@@ -63,15 +64,11 @@ def test_choosing_draws_nothing():
     rng, plain = np.random.default_rng(0), np.random.default_rng(0)
     schedule = db.Schedule([(1, RMB), (None, RMB)])
     history = db.History(ARM.motor_space)
-    assert [schedule.choose(history, rng) for _ in range(3)] == [0, 1, 1]
+    running = Starter(history)(schedule)
+    assert [running.choose(history, rng) for _ in range(3)] == [0, 1, 1]
     assert rng.random() == plain.random()
 
 
-def test_a_schedule_begins_anew_in_each_exploration():
+def test_a_schedule_starts_again_in_each_exploration():
     schedule = db.Schedule([(2, RMB), (None, RMB)])
     assert choices(schedule, n=4) == choices(schedule, n=4) == [0, 0, 1, 1]
-
-
-def test_its_repr_says_it_whole():
-    schedule = db.Schedule([(10, RMB), (None, db.GoalBabbling(0.05))])
-    assert repr(schedule) == "Schedule([(10, MotorBabbling()), (None, GoalBabbling(0.05))])"

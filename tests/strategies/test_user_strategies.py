@@ -1,4 +1,4 @@
-"""A user's own strategy needs one method, and is told of its own trials alone."""
+"""A user's strategy needs one method, and is told of its own trials alone."""
 
 import numpy as np
 import pytest
@@ -51,11 +51,10 @@ def test_a_bare_list_is_enough():
 
 def test_a_bare_list_is_observed_as_a_trial():
     strategy = Zero()
-    mixture = db.Mixture([strategy])
-    history = db.History(ARM.motor_space)
-    trial = mixture.propose(history, np.random.default_rng(0))
-    mixture.observe(trial, np.array([1.0, 0.0]))
-    ((told, effect),) = strategy.told
+    explorer = db.Explorer(db.Mixture([strategy]), ARM.motor_space, rng=0)
+    explorer.tell(explorer.ask(), [1.0, 0.0])
+    assert strategy.told == []  # a copy explores
+    ((told, effect),) = explorer.strategy.strategies[0].told
     assert isinstance(told, db.Trial)
     assert (told.command, told.path, effect.tolist()) == ([0.0, 0.0], (), [1.0, 0.0])
 

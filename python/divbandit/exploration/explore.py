@@ -85,7 +85,7 @@ def explore(
     Notes
     -----
     An exception has the attribute ``explorer``, an `Explorer` that holds all that was observed, and
-    can be saved or resumed.
+    can be resumed, or saved where it has kept the commands.
 
     Examples
     --------

@@ -410,7 +410,8 @@ class Explorer:
         Raises
         ------
         ValueError
-            If the generator is not one of NumPy's own, whose state can be written.
+            If the generator is not one of NumPy's own, whose state can be written, or commands were
+            not kept.
         OSError
             If the file cannot be written.
 

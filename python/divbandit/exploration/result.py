@@ -90,7 +90,8 @@ class Exploration:
         array([[1, 0]])
         """
         log = history._log  # noqa: SLF001 - it is what is read here
-        commands, effects, paths, estimates = (log.take if take else log.arrays)(keep_commands)
+        kept = keep_commands and log.keeps_commands
+        commands, effects, paths, estimates = (log.take if take else log.arrays)(kept)
         return cls(
             history.motor_space,
             history.sensory_space,

@@ -76,6 +76,10 @@ def write(
         raise ValueError(
             f"rng must be a Generator of one of NumPy's own bit generators to be saved, got {rng!r}"
         )
+    if not history._log.keeps_commands:  # noqa: SLF001 - it is what is written
+        raise ValueError(
+            "commands must have been kept to be saved: explore(..., keep_commands=True) does"
+        )
     recipe = None
     with suppress(NoRecipeError):
         recipe = recipe_of(strategy)

@@ -55,6 +55,12 @@ impl PyHistory {
         self.0.begin(keeps_commands, width).map_err(value_error)
     }
 
+    /// Whether commands are kept, and not forgotten as soon as they are recorded.
+    #[getter]
+    fn keeps_commands(&self) -> bool {
+        self.0.keeps_commands()
+    }
+
     /// The dimension of the effects; None until there is one.
     #[getter]
     fn effect_dim(&self) -> Option<usize> {

@@ -158,9 +158,7 @@ def test_another_strategy_is_refused(tmp_path):
     live(explorer, np.random.default_rng(0), 20)
     explorer.save(tmp_path / "run")
     for other in (db.GoalBabbling(0.06), db.MotorBabbling(), db.Mixture([db.GoalBabbling(0.05)])):
-        with pytest.raises(
-            ValueError, match=r"repeats what the saved one, GoalBabbling\(0.05\)"
-        ):
+        with pytest.raises(ValueError, match=r"repeats what the saved one, GoalBabbling\(0.05\)"):
             db.Explorer.load(tmp_path / "run", other)
     with pytest.raises(TypeError, match="strategy must be a Strategy, got int"):
         db.Explorer.load(tmp_path / "run", 7)

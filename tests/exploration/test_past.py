@@ -132,3 +132,13 @@ def test_the_history_is_written_by_its_explorer(engine):
     with pytest.raises(ValueError, match=r"explorer\.add_past"):
         explorer.history.append([0.0] * 4, [1.0, 0.0])
     assert len(explorer.history) == 2
+
+
+def test_nothing_added_is_nothing(tmp_path):
+    """It does not tell a dimension either."""
+    explorer = new_explorer(db.MotorBabbling(), None)
+    explorer.add_past(np.empty((0, 4)), np.empty((0, 3)))
+    explorer.save(tmp_path / "run")
+    assert db.Explorer.load(tmp_path / "run").history.effect_dim is None
+    explorer.tell(explorer.ask(), [1.0, 2.0])
+    assert explorer.history.effect_dim == 2

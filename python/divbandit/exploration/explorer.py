@@ -358,6 +358,8 @@ class Explorer:
         """
         log = self.history._log  # noqa: SLF001 - the explorer writes it
         points, dim = log.checked(commands, effects)
+        if len(points[0]) == 0:  # nothing happened, and no dimension is told
+            return
         if not self._dim_is_checked and dim is not None:
             self._check_dim(dim)
         log.extend(points)

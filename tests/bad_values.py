@@ -1,4 +1,8 @@
-"""What users pass by mistake, by the kind of argument that it was meant for."""
+"""What users pass by mistake, by the kind of argument that it was meant for.
+
+Each kind has all that its validator must refuse, for one argument of the kind; `some` of it is
+enough for the others.
+"""
 
 import math
 from fractions import Fraction
@@ -11,24 +15,32 @@ import divbandit as db
 RMB = db.MotorBabbling()
 
 
-class Odd(db.GridCoverage):
-    """A measure that says something wrong of itself."""
+def some(values, *names):
+    """Return some of the values."""
+    return {name: values[name] for name in names}
 
-    dim, largest_gain = 2, 1.0
+
+class Odd:
+    """A measure that starts, and says something wrong of itself."""
+
+    dim, largest_gain, measure = 2, 1.0, 0.0
 
     def __init__(self, **wrong):
-        super().__init__(0.5)
+        self.size = wrong.pop("size", 0)
         for name, value in wrong.items():
             setattr(self, name, value)
 
+    def start(self, dim):
+        del dim
+        return self
+
     def __len__(self):
-        return 0
+        return self.size
 
+    def add(self, *_):
+        raise AssertionError
 
-def filled_grid():
-    grid = db.GridCoverage(0.5)
-    grid.add([0.0, 0.0])
-    return grid
+    extend = gain = add
 
 
 def points(n):
@@ -110,6 +122,15 @@ COUNTS = {
     "object": object(),
 }
 
+FLAGS = {
+    "1": 1,
+    "0.0": 0.0,
+    "None": None,
+    "text": "yes",
+    "a list": [True],
+    "object": object(),
+}
+
 WRONG_SPACES = {
     "a number": 5,
     "text": "ab",
@@ -139,11 +160,13 @@ NOT_STRATEGIES = {
 NOT_MEASURES = {
     "text": "ab",
     "a number": 0.02,
-    "a class": db.GridCoverage,
+    "a class": db.measures.GridCoverage,
     "a tree": db.NearestNeighbors(2),
     "a function": db.coverage,
     "an object": object(),
-    "one with an effect in it": filled_grid(),
+    "one under way": db.Coverage(0.02),
+    "one that starts nothing": SimpleNamespace(start=lambda _: None),
+    "one with an effect in it": Odd(size=1),
     "of no dimension": Odd(dim=0),
     "of half a dimension": Odd(dim=2.5),
     "a gain below zero": Odd(largest_gain=-1.0),

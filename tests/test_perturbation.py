@@ -61,7 +61,8 @@ def test_the_inverse_model_perturbs_the_nearest_effects_command():
     history.append([-1.0, 0.0, 10.0], [0.0, 0.0])
     history.append([1.0, 10.0, 10.5], [1.0, 1.0])
     rng = np.random.default_rng(0)
-    commands = np.array([history.inverse([0.9, 0.7], rng, d=0.1) for _ in range(2000)])
+    model = db.inverse.Nearest(0.1).start(history)
+    commands = np.array([model.command([0.9, 0.7], history, rng) for _ in range(2000)])
     assert commands.min(axis=0) == pytest.approx([0.8, 9.0, 10.45], abs=0.01)
     for j in range(BOX.dim):
         width = 0.1 * (BOX.high[j] - BOX.low[j])

@@ -175,7 +175,14 @@ class Exploration:
         >>> round(float(run.coverage(0.02)[0]), 9)
         0.001256637
         """
-        return self.diversity(BallCoverage(tau))
+        measure = BallCoverage(tau)
+        try:
+            return self.diversity(measure)
+        except ValueError as error:
+            dim = self.effects.shape[1]
+            raise ValueError(
+                f"effects must be of a dimension that coverage takes, got {dim}: {error}"
+            ) from None
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the exploration to a file, replacing it whole or not at all.

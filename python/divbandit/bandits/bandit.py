@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import real, whole
 from divbandit.bandits.estimators import Estimator
-from divbandit.bandits.policies import Policy
+from divbandit.bandits.policies import Policy, RunningPolicy
 from divbandit.bandits.rewards import FunctionReward, Gain, Reward
-from divbandit.bandits.running import RunningBandit, largest_of
+from divbandit.bandits.running import RunningBandit, largest_of, under_way
 from divbandit.measures import BallCoverage
 from divbandit.strategies.composite import CompositeValue, strategies_of
 
@@ -139,7 +139,8 @@ class _Choosing(RunningBandit):
 
     def _estimate(self) -> None:
         super()._estimate()
-        self.policy: Any = self._start.part(self._policy, len(self.strategies), self._largest)
+        started = self._start.part(self._policy, len(self.strategies), self._largest)
+        self.policy: Any = under_way("policy", started, RunningPolicy)
         self._learns = hasattr(self.policy, "learn")
 
     def choose(self, history: History, rng: Generator) -> tuple[int, float | None]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import real
+from divbandit.bandits.estimators import Estimates
+from divbandit.bandits.rewards import RunningReward
 from divbandit.strategies.composite import Composite
 
 if TYPE_CHECKING:
@@ -50,24 +52,23 @@ class RunningBandit(Composite):
                 self._largest = 0.0
         else:
             self._largest = largest_of(self._rewarding, dim)
-            self._reward = self._rewarding.start(dim)
+            self._reward = self._started_reward(dim)
         self._estimate()
 
     def _estimate(self) -> None:
         """Start the estimator."""
         parts = len(self.strategies)
-        self.estimator: Any = self._start.part(self._estimator, parts, self._largest)
-        for name in ("means", "counts"):
-            found = len(getattr(self.estimator, name))
-            if found != parts:
-                raise ValueError(
-                    f"estimator.{name} must hold one number for each of {parts} strategies, "
-                    f"got {found}"
-                )
+        started = self._start.part(self._estimator, parts, self._largest)
+        self.estimator: Any = under_way("estimator", started, Estimates)
+        _check_numbers("estimator.means", self.estimator.means, parts)
+        _check_numbers("estimator.counts", self.estimator.counts, parts)
+
+    def _started_reward(self, dim: int) -> Any:  # noqa: ANN401 - the library's or a user's
+        return under_way("reward", self._rewarding.start(dim), RunningReward)
 
     def _begin(self, dim: int) -> None:
         """Start what depends on the dimension of the effects."""
-        self._reward = self._rewarding.start(dim)
+        self._reward = self._started_reward(dim)
         largest, failed = largest_of(self._rewarding, dim), self._failed
         self._failed = []
         if largest != self._largest:
@@ -111,3 +112,25 @@ class RunningBandit(Composite):
 def largest_of(reward: Reward, dim: int) -> float:
     """Return the upper bound of the rewards of effects of dimension `dim`."""
     return real("reward.largest()", reward.largest(dim), low=0.0, high=_MOST)
+
+
+def under_way(name: str, running: Any, kind: type) -> Any:  # noqa: ANN401 - of any kind
+    """Return what the `start` of a part returned, or say what is wrong with it."""
+    if isinstance(running, type) or not isinstance(running, kind):
+        got = (
+            f"the class {running.__name__}" if isinstance(running, type) else type(running).__name__
+        )
+        raise TypeError(f"{name}.start() must return what is like {kind.__name__}, got {got}")
+    return running
+
+
+def _check_numbers(name: str, values: Any, parts: int) -> None:  # noqa: ANN401 - a user's
+    """Raise unless there is a number for each strategy."""
+    try:
+        found = len(values)
+    except TypeError:
+        raise TypeError(f"{name} must be a list of numbers, got {type(values).__name__}") from None
+    if found != parts:
+        raise ValueError(f"{name} must hold one number for each of {parts} strategies, got {found}")
+    for index, value in enumerate(values):
+        real(f"{name}[{index}]", value)

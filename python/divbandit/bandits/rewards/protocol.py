@@ -82,6 +82,7 @@ class Reward(Protocol):
         """
 
 
+@runtime_checkable
 class RunningReward(Protocol):
     """A running reward.
 

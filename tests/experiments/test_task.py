@@ -45,9 +45,8 @@ def test_its_repr_omits_defaults():
 
 
 def test_it_can_be_pickled():
-    again = pickle.loads(
-        pickle.dumps(db.experiments.Task(db.PlanarArm(2), db.MotorBabbling(), 10, 3))
-    )
+    task = db.experiments.Task(db.PlanarArm(2), db.MotorBabbling(), 10, 3)
+    again = pickle.loads(pickle.dumps(task))  # noqa: S301
     first, second = (
         db.explore(task.environment, task.strategy, task.n, rng=task.rng)
         for task in (again, next(TASK.over([3])))

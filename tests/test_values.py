@@ -210,6 +210,7 @@ PARTS = [
     RoundRobin(),
     Uniform(),
     MabwiserPolicy(LearningPolicy.UCB1(alpha=1.5)),
+    MabwiserPolicy(LearningPolicy.Popularity()),
     # Strategies.
     RMB,
     db.GoalBabbling(),
@@ -232,6 +233,7 @@ PARTS = [
     OptunaSampler(parzen),
     RibsEmitter(),
     RibsEmitter("evolution", box=SQUARE, cells=50, objective=height),
+    RibsEmitter(hold, archive=product),
 ]
 IDS = [f"{type(part).__name__}-{index}" for index, part in enumerate(PARTS)]
 
@@ -253,7 +255,7 @@ NAMES = {
     **{name: item for package in PACKAGES for name, item in vars(package).items()},
     **{each.__name__: each for each in (swap, product, hold, halves, final, height, parzen)},
     **vars(optuna.samplers),
-    "UCB1": LearningPolicy.UCB1,
+    **{each.__name__: each for each in (LearningPolicy.UCB1, LearningPolicy.Popularity)},
 }
 
 each_part = pytest.mark.parametrize("part", PARTS, ids=IDS)

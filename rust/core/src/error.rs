@@ -146,7 +146,7 @@ pub fn check_rows(name: &'static str, values: &[f64], row: usize) -> Result<(), 
 /// # Errors
 /// [`Error::Count`] if there is no memory for them; nothing has changed then.
 pub(crate) fn reserve<T>(rows: &mut Vec<T>, n: usize, width: usize) -> Result<(), Error> {
-    match n.checked_mul(width).map(|more| rows.try_reserve_exact(more)) {
+    match n.checked_mul(width).map(|more| rows.try_reserve(more)) {
         Some(Ok(())) => Ok(()),
         _ => Err(Error::Count {
             name: "n",

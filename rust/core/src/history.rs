@@ -31,13 +31,15 @@ pub struct History {
 /// A history as arrays, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
+    /// How many commands have been tried.
+    pub len: usize,
     /// The motor commands; empty if they were not kept.
     pub commands: Vec<f64>,
     /// The effects.
     pub effects: Vec<f64>,
     /// Who proposed each command: indices of strategies, outermost first, -1 beyond the innermost.
     pub paths: Vec<i64>,
-    /// The length of a row of `paths`.
+    /// The length of a row of `paths`: that of the longest path recorded.
     pub depth: usize,
     /// A bandit's estimates of its strategies when it chose; empty for any other strategy.
     pub estimates: Vec<f64>,
@@ -182,8 +184,9 @@ impl History {
     /// estimates when it chose: NaN where that is empty.
     ///
     /// # Errors
-    /// If the command is not a point of the motor space, or the effect is not finite or of
-    /// another dimension than those before; nothing is recorded then.
+    /// If the command is not a point of the motor space, the effect is not finite or of another
+    /// dimension than those before, or there are estimates, but not as many as are logged; nothing
+    /// is recorded then.
     pub fn record(
         &mut self,
         command: &[f64],
@@ -193,6 +196,9 @@ impl History {
     ) -> Result<(), Error> {
         self.motor_space.check("command", command)?;
         self.check_effect(effect)?;
+        if !estimates.is_empty() {
+            check_length("estimates", estimates, self.width)?;
+        }
         let end = self.paths.of(path);
         self.log(command, effect, end, estimates)
     }
@@ -247,6 +253,7 @@ impl History {
             self.paths.write(end, row);
         }
         let effects = self.effects.map_or(Vec::new(), NearestNeighbors::into_points);
-        Ok(Log { commands: self.commands, effects, paths, depth, estimates: self.estimates })
+        let (len, commands, estimates) = (self.len, self.commands, self.estimates);
+        Ok(Log { len, commands, effects, paths, depth, estimates })
     }
 }

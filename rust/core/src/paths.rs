@@ -56,6 +56,9 @@ impl Paths {
 
     /// Writes the path that ends at `node` to a row: indices of strategies, outermost first, -1
     /// beyond the innermost.
+    ///
+    /// # Panics
+    /// If the row is shorter than the path.
     pub fn write(&self, mut node: u32, row: &mut [i64]) {
         row.fill(-1);
         while node != ROOT {

@@ -2,23 +2,18 @@
 //! bits with all of them.
 
 mod oracles;
+mod runs;
 
 use std::sync::LazyLock;
 
-use divbandit_core::bandits::Adapt;
 use divbandit_core::coverage::estimate::Estimate;
-use divbandit_core::exploration::Log;
-use divbandit_core::goals::Uniform;
-use divbandit_core::inverse::Nearest;
-use divbandit_core::strategies::{GoalBabbling, MotorBabbling};
+use divbandit_core::history::Log;
+use divbandit_core::strategies::MotorBabbling;
 use divbandit_core::trig::sin_cos;
-use divbandit_core::{
-    Bounds, Composition, Coverage, Exploration, History, Instructions, PlanarArm,
-};
+use divbandit_core::{Composition, Exploration, Instructions, PlanarArm};
 use oracles::{Stream, fixed};
 use proptest::prelude::*;
-
-const LIMIT: f64 = 150.0 / 180.0 * std::f64::consts::PI;
+use runs::LIMIT;
 
 /// All instructions that this CPU has: none is left out that the standard library finds.
 static AVAILABLE: LazyLock<Vec<Instructions>> = LazyLock::new(|| {
@@ -85,22 +80,16 @@ fn an_effect_is_the_same_with_all_instructions() {
     }
 }
 
-/// ADAPT over motor and goal babbling, the paper's figure 4, on this arm.
-fn adapt(arm: PlanarArm, d: f64) -> Log {
-    let joints = arm.joints();
-    let motor_space = Bounds::new(vec![-LIMIT; joints], vec![LIMIT; joints]).unwrap();
-    let goals = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
+/// ADAPT over motor and goal babbling, as in the paper's figure 4, on this arm.
+fn adapt(mut arm: PlanarArm, d: f64) -> Log {
     let mut strategies = Composition::default();
-    let motor = strategies.add(MotorBabbling);
-    let (uniform, nearest) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
-    let goal = strategies.add(GoalBabbling::new(Box::new(uniform), Box::new(nearest)));
-    let bandit = Adapt::new(2, Coverage::new(0.02, 2).unwrap(), 50, 0.1, 1).unwrap();
-    let root = strategies.compose(bandit, vec![motor, goal]).unwrap();
-    let history = History::new(motor_space, Some(goals), 2, true).unwrap();
-    let mut run = Exploration::new(Box::new(arm), history, strategies, root).unwrap();
+    let parts = vec![strategies.add(MotorBabbling), strategies.add(runs::goal_babbling(d))];
+    let root = strategies.compose(runs::adapt(2, 0.02, 50), parts).unwrap();
+    let mut history = runs::history(arm.joints(), true, 2);
+    let mut run = Exploration::new(strategies, root, &history).unwrap();
     let mut stream = Stream(1);
-    run.run(3000, &mut || stream.unit()).unwrap();
-    run.into_log().unwrap()
+    run.run(&mut arm, &mut history, 3000, &mut || stream.unit()).unwrap();
+    history.into_log().unwrap()
 }
 
 #[test]

@@ -7,13 +7,16 @@ mod runs;
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
-use divbandit_core::bandits::{Adapt, GainWindow};
-use divbandit_core::exploration::Log;
+use divbandit_core::bandits::Bandit;
+use divbandit_core::bandits::estimators::EstimatorKind;
+use divbandit_core::bandits::policies::{Choice, PolicyKind};
+use divbandit_core::bandits::rewards::RewardKind;
+use divbandit_core::history::Log;
 use divbandit_core::strategies::{Composite, Mixture, MotorBabbling, Schedule};
-use divbandit_core::{Composition, Coverage, Exploration, UniformStream};
+use divbandit_core::{Composition, Coverage, Error, Exploration, UniformStream};
 use oracles::{Stream, fixed};
 use proptest::prelude::*;
-use runs::{LIMIT, adapt, arm, bits, explored, go, goal_babbling, history, mixed, nested, ready};
+use runs::{LIMIT, Run, adapt, arm, bits, explored, gain, goal_babbling, history, mixed, nested};
 
 proptest! {
     #![proptest_config(fixed(60))]
@@ -31,17 +34,19 @@ proptest! {
 
         let mut strategies = Composition::default();
         let parts = vec![strategies.add(MotorBabbling), strategies.add(goal_babbling(d))];
-        let measure = Coverage::new(tau, 2).unwrap();
-        let bandit = Adapt::new(2, measure, window, alpha, head_start).unwrap();
+        let estimator = EstimatorKind::Window { size: window, head_start };
+        let policy = PolicyKind::Proportional { alpha, power: 1.0 };
+        let bandit = Bandit::new(2, gain(tau), estimator, policy, Some(2)).unwrap();
         let root = strategies.compose(bandit, parts).unwrap();
-        let mut run =
-            Exploration::new(Box::new(arm(m)), history(m, true), strategies, root).unwrap();
-        go(&mut run, 300, &mut Stream(seed));
-        let log = run.into_log().unwrap();
-        prop_assert_eq!(log.depth, 1);
+        let mut history = history(m, true, 2);
+        let mut run = Exploration::new(strategies, root, &history).unwrap();
+        let mut stream = Stream(seed);
+        run.run(&mut arm(m), &mut history, 300, &mut || stream.unit()).unwrap();
+        let log = history.into_log().unwrap();
+        prop_assert_eq!((log.len, log.depth), (300, 1));
         for (i, step) in steps.iter().enumerate() {
             prop_assert_eq!(log.paths[i], step.choice as i64, "step {}", i);
-            prop_assert_eq!(bits(&log.diversities[2 * i..2 * i + 2]), bits(&step.diversities));
+            prop_assert_eq!(bits(&log.estimates[2 * i..2 * i + 2]), bits(&step.estimates));
             prop_assert_eq!(bits(&log.commands[m * i..m * (i + 1)]), bits(&step.command));
             prop_assert_eq!(bits(&log.effects[2 * i..2 * i + 2]), bits(&step.effect));
         }
@@ -57,7 +62,7 @@ fn a_path_tells_who_chose_at_every_level() {
     let root = mixed(&mut strategies, vec![motor, middle]);
     let log = explored(strategies, root, 200);
     assert_eq!((log.depth, log.paths.len()), (3, 600));
-    assert!(log.diversities.is_empty());
+    assert!(log.estimates.is_empty());
     let mut stream = Stream(1);
     let mut seen = BTreeSet::new();
     for row in log.paths.chunks(3) {
@@ -83,7 +88,7 @@ fn a_path_is_as_long_as_the_longest_that_was_taken() {
         let mut strategies = Composition::default();
         let motor = strategies.add(MotorBabbling);
         let inner = mixed(&mut strategies, vec![motor, motor]);
-        let schedule = Schedule::new(vec![5], 0, 0).unwrap();
+        let schedule = Schedule::new(vec![5]).unwrap();
         let root = strategies.compose(schedule, vec![motor, inner]).unwrap();
         let log = explored(strategies, root, n);
         assert_eq!((log.depth, log.paths.len()), (depth, n * depth));
@@ -99,7 +104,7 @@ fn a_path_is_as_long_as_the_longest_that_was_taken() {
 fn a_part_of_several_composites_is_one_part() {
     let mut strategies = Composition::default();
     let motor = strategies.add(MotorBabbling);
-    let steps = Schedule::new(vec![4, 3], 0, 0).unwrap();
+    let steps = Schedule::new(vec![4, 3]).unwrap();
     let schedule = strategies.compose(steps, vec![motor; 3]).unwrap();
     let inner = mixed(&mut strategies, vec![schedule, motor]);
     let root = mixed(&mut strategies, vec![schedule, inner, schedule]);
@@ -118,26 +123,35 @@ fn a_part_of_several_composites_is_one_part() {
     }
 }
 
-/// What a bandit believed after each effect that it was told of.
+/// A bandit, and the rewards that it was told.
 #[derive(Debug)]
-struct Spy(Adapt, Arc<Mutex<Vec<(usize, f64)>>>);
+struct Spy(Bandit, Arc<Mutex<Vec<(usize, f64)>>>);
 
 impl Composite for Spy {
     fn parts(&self) -> usize {
         self.0.parts()
     }
 
-    fn choose(&mut self, draws: &mut dyn UniformStream) -> usize {
+    fn choose(&mut self, draws: &mut dyn UniformStream) -> Choice {
         self.0.choose(draws)
     }
 
-    fn measure(&self) -> Option<&Coverage> {
-        self.0.measure()
+    fn reward(&self) -> Option<&RewardKind> {
+        self.0.reward()
     }
 
-    fn credit(&mut self, part: usize, gain: f64) {
-        self.1.lock().unwrap().push((part, gain));
-        self.0.credit(part, gain);
+    fn begin(&mut self, effect_dim: usize) -> Result<(), Error> {
+        self.0.begin(effect_dim)
+    }
+
+    fn learn(&mut self, choice: Choice, reward: f64) {
+        self.1.lock().unwrap().push((choice.part, reward));
+        self.0.learn(choice, reward);
+    }
+
+    fn fail(&mut self, choice: Choice) {
+        self.1.lock().unwrap().push((choice.part, f64::NEG_INFINITY));
+        self.0.fail(choice);
     }
 }
 
@@ -163,6 +177,12 @@ fn a_nested_bandit_is_told_of_its_own_effects_measured_against_all() {
     assert_eq!(*told.lock().unwrap(), expected);
 }
 
+/// The mean of the last `size` gains.
+fn mean_of_last(size: usize, gains: &[f64]) -> f64 {
+    let last = &gains[gains.len().saturating_sub(size)..];
+    oracles::sums::in_parts(last) / last.len() as f64
+}
+
 /// Two bandits, one in the other: with other radii each is told in its own measure, with the same
 /// one both are told the same.
 #[test]
@@ -171,11 +191,11 @@ fn the_outermost_bandit_believes_the_means_of_its_gains() {
         let (strategies, root) = nested(0.05, inner);
         let log = explored(strategies, root, 300);
         let mut coverage = Coverage::new(0.05, 2).unwrap();
-        let mut windows = [0, 1].map(|_| GainWindow::new(10, coverage.ball(), 1));
+        let mut gains = [0, 1].map(|_| vec![coverage.ball()]);
         for (i, effect) in log.effects.chunks(2).enumerate() {
-            let believed = [windows[0].mean(), windows[1].mean()];
-            assert_eq!(bits(&log.diversities[2 * i..2 * i + 2]), bits(&believed), "step {i}");
-            windows[log.paths[i * log.depth] as usize].add(coverage.add(effect).unwrap());
+            let believed = gains.each_ref().map(|gains| mean_of_last(10, gains));
+            assert_eq!(bits(&log.estimates[2 * i..2 * i + 2]), bits(&believed), "step {i}");
+            gains[log.paths[i * log.depth] as usize].push(coverage.add(effect).unwrap());
         }
     }
 }
@@ -195,21 +215,24 @@ fn a_draw_on_an_edge_goes_up() {
         (vec![0.1; 10], below(1.0), 9),
     ] {
         let mixture = || Mixture::new(weights.clone()).unwrap();
-        assert_eq!(mixture().choose(&mut || draw), expected, "{weights:?} {draw}");
+        assert_eq!(mixture().choose(&mut || draw), Choice::of(expected), "{weights:?} {draw}");
     }
-    // ADAPT's first draw says whether the second one is uniform; nobody has gained anything yet.
-    let bandit = || Adapt::new(3, Coverage::new(0.1, 2).unwrap(), 5, 0.5, 0).unwrap();
-    let chosen = |mut bandit: Adapt, draws: [f64; 2]| {
+    // ADAPT's first draw says whether the second one is uniform; no part has gained anything yet.
+    let chosen = |one_gained: bool, draws: [f64; 2]| {
+        let estimator = EstimatorKind::Window { size: 5, head_start: 0 };
+        let policy = PolicyKind::Proportional { alpha: 0.5, power: 1.0 };
+        let mut bandit = Bandit::new(3, gain(0.1), estimator, policy, Some(2)).unwrap();
+        if one_gained {
+            bandit.learn(Choice::of(1), 1.0);
+        }
         let mut draws = draws.into_iter();
-        bandit.choose(&mut || draws.next().unwrap())
+        bandit.choose(&mut || draws.next().unwrap()).part
     };
-    let mut one_gained = bandit();
-    one_gained.credit(1, 1.0);
     for (first, second, expected) in
         [(below(0.5), 0.0, 0), (0.5, 0.0, 1), (below(0.5), below(1.0), 2), (0.5, below(1.0), 1)]
     {
-        assert_eq!(chosen(one_gained.clone(), [first, second]), expected);
-        assert_eq!(chosen(bandit(), [first, second]), (3.0 * second) as usize);
+        assert_eq!(chosen(true, [first, second]), expected);
+        assert_eq!(chosen(false, [first, second]), (3.0 * second) as usize);
     }
 }
 
@@ -218,35 +241,36 @@ fn halves_make_a_whole_and_no_steps_make_nothing() {
     let (strategies, root) = nested(0.05, 0.1);
     let whole = explored(strategies, root, 200);
     let (strategies, root) = nested(0.05, 0.1);
-    let mut run = ready(strategies, root);
+    let mut run = Run::new(strategies, root);
     let mut stream = Stream(1);
-    run.run(0, &mut || -> f64 { panic!("nothing is to be drawn") }).unwrap();
-    assert!(run.is_empty());
+    let mut no_draws = || -> f64 { panic!("nothing is to be drawn") };
+    run.exploration.run(&mut arm(3), &mut run.history, 0, &mut no_draws).unwrap();
+    assert!(run.history.is_empty());
     for n in [1, 0, 99, 100] {
-        run.reserve(n).unwrap();
-        go(&mut run, n, &mut stream);
+        run.history.reserve(n).unwrap();
+        run.go(n, &mut stream);
     }
-    assert_eq!(run.len(), 200);
-    assert_eq!(run.into_log().unwrap(), whole);
+    assert_eq!(run.history.len(), 200);
+    assert_eq!(run.into_log(), whole);
     let (strategies, root) = nested(0.05, 0.1);
-    let empty = ready(strategies, root).into_log().unwrap();
-    let nothing = (vec![], vec![], vec![], vec![]);
-    assert_eq!((empty.commands, empty.effects, empty.paths, empty.diversities), nothing);
+    let empty = Run::new(strategies, root).into_log();
+    let (commands, effects, paths, estimates) = (vec![], vec![], vec![], vec![]);
+    assert_eq!(empty, Log { len: 0, commands, effects, paths, depth: 0, estimates });
 }
 
 #[test]
 fn commands_need_not_be_kept() {
-    let log = |keep_commands| {
+    let log = |keeps_commands| {
         let mut strategies = Composition::default();
         let parts = vec![strategies.add(MotorBabbling); 2];
         let root = strategies.compose(adapt(2, 0.1, 9), parts).unwrap();
         assert!(!strategies.needs_commands());
-        let history = history(3, keep_commands);
-        let mut run = Exploration::new(Box::new(arm(3)), history, strategies, root).unwrap();
-        run.reserve(100).unwrap();
-        go(&mut run, 100, &mut Stream(1));
-        assert_eq!(run.len(), 100);
-        run.into_log().unwrap()
+        let mut run = Run::new(strategies, root);
+        assert!(!run.exploration.needs_commands());
+        run.history = history(3, keeps_commands, 2);
+        run.go(100, &mut Stream(1));
+        assert_eq!(run.history.len(), 100);
+        run.into_log()
     };
     let (with, without) = (log(true), log(false));
     assert_eq!(with.commands.len(), 300);

@@ -50,7 +50,7 @@ impl Known {
             prop_assert_eq!(&goal, &expected);
             prop_assert_eq!(stream.0, plain.0);
             let effect = around(&self.space, stream);
-            self.history.record(&[0.5], &effect);
+            self.history.record(&[0.5], &effect, &[], &[]).unwrap();
             self.effects.push(effect);
             plain.0 = stream.0;
         }

@@ -114,8 +114,8 @@ fn what_does_not_fit_is_refused_and_nothing_drawn() {
     let space = Bounds::new(vec![0.0], vec![1.0]).unwrap();
     let mut empty = past(&space, None, 2, &[], &[]);
     let mut observed = past(&space, None, 2, &[0.5], &[0.0, 0.0]);
-    let mut forgetful = History::new(space, None, 2, false).unwrap();
-    forgetful.record(&[0.5], &[0.0, 0.0]);
+    let mut forgetful = History::new(space, None, false, 0).unwrap();
+    forgetful.record(&[0.5], &[0.0, 0.0], &[], &[]).unwrap();
     let models: [Box<dyn InverseModel>; 2] = [
         Box::new(KNearest::new(1, 0.1).unwrap()),
         Box::new(LocalRegression::new(1, 0.1, 0.1, 1.0).unwrap()),

@@ -21,7 +21,7 @@ pub struct Bandit {
     largest: f64,
     estimates: Box<dyn Estimator>,
     choosing: Box<dyn Policy>,
-    /// The failures before the first effect, which restarts the estimator.
+    /// The failures before the first reward, which restarts the estimator.
     failed: Vec<Choice>,
     dim_is_known: bool,
 }
@@ -65,12 +65,7 @@ impl Composite for Bandit {
     }
 
     fn choose(&mut self, draws: &mut dyn UniformStream) -> Choice {
-        let estimates = Estimates {
-            means: self.estimates.means(),
-            counts: self.estimates.counts(),
-            largest: self.estimates.largest(),
-        };
-        self.choosing.choose(&estimates, draws)
+        self.choosing.choose(&Estimates::of(&*self.estimates), draws)
     }
 
     fn reward(&self) -> Option<&RewardKind> {
@@ -82,14 +77,14 @@ impl Composite for Bandit {
             return Ok(());
         }
         let largest = self.reward.largest(effect_dim)?;
-        self.dim_is_known = true;
         let failed = std::mem::take(&mut self.failed);
         if largest != self.largest {
-            self.largest = largest;
             self.estimates = self.estimator.start(self.parts, largest)?;
             self.choosing = self.policy.start(self.parts, largest)?;
+            self.largest = largest;
             failed.into_iter().for_each(|choice| self.learn(choice, 0.0));
         }
+        self.dim_is_known = true;
         Ok(())
     }
 

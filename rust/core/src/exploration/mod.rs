@@ -25,7 +25,7 @@
 //! let mut strategies = Composition::default();
 //! let motor = strategies.add(MotorBabbling);
 //! let goal = strategies.add(GoalBabbling::new(
-//!     Box::new(Uniform::new(None)),
+//!     Box::new(Uniform::new(None)?),
 //!     Box::new(Nearest::new(0.05)?),
 //! ));
 //! let adapt = Bandit::new(
@@ -58,7 +58,7 @@ mod composition;
 mod proposal;
 mod rewards;
 
-use crate::bounds::UniformStream;
+use crate::bounds::{Bounds, UniformStream};
 use crate::environment::Environment;
 use crate::error::{Error, check_length};
 use crate::history::History;
@@ -77,8 +77,10 @@ pub struct Exploration {
     rewarded: Vec<Option<usize>>,
     rewards: Rewards,
     needs_commands: bool,
-    /// Whether the dimension of the effects is known, and all that depends on it started.
+    /// Whether the dimension of the effects is known, and the rewards started.
     has_begun: bool,
+    /// What each of those who chose has earned with the newest effect.
+    earned: Vec<f64>,
     /// What `run` proposes and observes.
     proposal: Proposal,
     effect: Vec<f64>,
@@ -105,7 +107,7 @@ impl Exploration {
                     composite.reward().map(|kind| rewards.place_of(kind))
                 }
                 Part::Strategy(strategy) => {
-                    strategy.check(history)?;
+                    strategy.check(history.effect_dim(), history.sensory_space())?;
                     None
                 }
             });
@@ -118,25 +120,24 @@ impl Exploration {
             rewards,
             needs_commands,
             has_begun: false,
+            earned: Vec::new(),
             proposal,
             effect,
         };
-        if history.effect_dim().is_some() {
-            new.begin(history)?;
+        if let Some(dim) = history.effect_dim() {
+            new.begin(dim, history.sensory_space())?;
         }
         Ok(new)
     }
 
-    /// Starts what depends on the dimension of the effects, once that is known.
-    fn begin(&mut self, history: &History) -> Result<(), Error> {
-        let Some(dim) = history.effect_dim() else { return Ok(()) };
-        self.rewards.start(dim)?;
-        for part in &mut self.parts {
-            match part {
-                Part::Composite(composite, _) => composite.begin(dim)?,
-                Part::Strategy(strategy) => strategy.check(history)?,
+    /// Learns the dimension of the effects: all of it, or nothing if some part refuses it.
+    fn begin(&mut self, dim: usize, sensory_space: Option<&Bounds>) -> Result<(), Error> {
+        for part in &self.parts {
+            if let Part::Strategy(strategy) = part {
+                strategy.check(Some(dim), sensory_space)?;
             }
         }
+        self.rewards.start(dim)?;
         self.has_begun = true;
         Ok(())
     }
@@ -181,11 +182,12 @@ impl Exploration {
         }
     }
 
-    /// Records the effect of a proposal, and rewards the bandits on the way to it.
+    /// Records the effect of a proposal of this exploration, and rewards the bandits on the way to it.
     ///
     /// # Errors
-    /// If the effect is not finite or of another dimension than those before: nothing is recorded
-    /// then. If it cannot be rewarded, it is recorded.
+    /// If the effect is not finite, of another dimension than those before, or of one that a part
+    /// refuses: nothing is recorded then. If it cannot be rewarded, it is recorded, and no part
+    /// learns from it.
     pub fn observe(
         &mut self,
         history: &mut History,
@@ -193,15 +195,22 @@ impl Exploration {
         effect: &[f64],
     ) -> Result<(), Error> {
         history.check_effect(effect)?;
-        history.log(&proposal.command, effect, proposal.end, &proposal.estimates)?;
         if !self.has_begun {
-            self.begin(history)?;
+            self.begin(effect.len(), history.sensory_space())?;
         }
-        for &(place, choice) in proposal.choices.iter().rev() {
-            if let (Some(reward), Part::Composite(composite, _)) =
+        history.log(&proposal.command, effect, proposal.end, &proposal.estimates)?;
+        self.earned.clear();
+        for &(place, _) in &proposal.choices {
+            self.earned.push(match self.rewarded[place] {
+                Some(reward) => self.rewards.newest(reward, history, proposal.goal())?,
+                None => 0.0,
+            });
+        }
+        for (&(place, choice), &reward) in proposal.choices.iter().zip(&self.earned).rev() {
+            if let (Some(_), Part::Composite(composite, _)) =
                 (self.rewarded[place], &mut self.parts[place])
             {
-                let reward = self.rewards.newest(reward, history, proposal.goal())?;
+                composite.begin(effect.len())?;
                 composite.learn(choice, reward);
             }
         }
@@ -235,8 +244,9 @@ impl Exploration {
     /// Explores `environment` for `n` more evaluations.
     ///
     /// # Errors
-    /// If it does not lead from the motor space to the effects of the history, refuses a command, or
-    /// a part breaks its promise; the steps before are recorded then.
+    /// If it does not lead from the motor space to the effects of the history, or there is no memory
+    /// for `n` more evaluations; nothing has been drawn then. If it refuses a command, or a part
+    /// breaks its promise; the steps before are recorded then.
     pub fn run(
         &mut self,
         environment: &mut dyn Environment,
@@ -245,6 +255,10 @@ impl Exploration {
         draws: &mut dyn UniformStream,
     ) -> Result<(), Error> {
         check_length("motor_space", history.motor_space().low(), environment.motor_dim())?;
+        if let Some(must_be) = history.effect_dim().filter(|&dim| dim != environment.effect_dim()) {
+            return Err(Error::Length { name: "effect", must_be, got: environment.effect_dim() });
+        }
+        history.reserve(n)?;
         let mut proposal = std::mem::replace(&mut self.proposal, Proposal::new(0));
         let mut effect = std::mem::take(&mut self.effect);
         effect.resize(environment.effect_dim(), 0.0);

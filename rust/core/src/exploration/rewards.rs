@@ -4,6 +4,9 @@ use crate::bandits::rewards::{Reward, RewardKind};
 use crate::error::Error;
 use crate::history::History;
 
+/// A reward beyond this could not be summed up.
+const MOST: f64 = 1e300;
+
 /// The rewards that bandits ask for, each started when the dimension of the effects is known.
 #[derive(Debug, Default)]
 pub(super) struct Rewards {
@@ -28,12 +31,23 @@ impl Rewards {
     }
 
     /// The reward of the newest effect of the history, whose trial had this goal.
+    ///
+    /// # Errors
+    /// If that effect cannot be rewarded.
     pub fn newest(
         &mut self,
         place: usize,
         history: &History,
         goal: Option<&[f64]>,
     ) -> Result<f64, Error> {
-        self.started[place].newest(history, goal)
+        let Some(started) = self.started.get_mut(place) else {
+            return Err(Error::Empty { name: "rewards" });
+        };
+        let reward = started.newest(history, goal)?;
+        if (-MOST..=MOST).contains(&reward) {
+            return Ok(reward);
+        }
+        let must_be = "a finite number in [-1e+300, 1e+300]";
+        Err(Error::Number { name: "reward", must_be, got: reward })
     }
 }

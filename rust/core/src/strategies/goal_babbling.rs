@@ -1,7 +1,7 @@
 //! GoalBabbling: a goal is drawn, and an inverse model turns it into a command.
 
 use super::Strategy;
-use crate::bounds::UniformStream;
+use crate::bounds::{Bounds, UniformStream};
 use crate::error::Error;
 use crate::goals::GoalSampler;
 use crate::history::History;
@@ -50,7 +50,11 @@ impl Strategy for GoalBabbling {
         true
     }
 
-    fn check(&self, history: &History) -> Result<(), Error> {
-        self.goals.check(history.effect_dim(), history.sensory_space())
+    fn check(
+        &self,
+        effect_dim: Option<usize>,
+        sensory_space: Option<&Bounds>,
+    ) -> Result<(), Error> {
+        self.goals.check(effect_dim, sensory_space)
     }
 }

@@ -13,7 +13,7 @@ use std::fmt;
 
 use crate::bandits::policies::Choice;
 use crate::bandits::rewards::RewardKind;
-use crate::bounds::UniformStream;
+use crate::bounds::{Bounds, UniformStream};
 use crate::error::Error;
 use crate::history::History;
 
@@ -45,12 +45,17 @@ pub trait Strategy: fmt::Debug + Send + Sync {
     /// Whether it looks at the commands of the history; if not, they need not be kept.
     fn needs_commands(&self) -> bool;
 
-    /// Refuses what it cannot explore, before an exploration begins.
+    /// Refuses what it cannot explore, before an exploration begins: effects of a dimension that it
+    /// has no goals for (None if it is not known yet), or a missing box of goals.
     ///
     /// # Errors
-    /// If it cannot explore with this history.
-    fn check(&self, history: &History) -> Result<(), Error> {
-        let _ = history;
+    /// If it cannot explore these.
+    fn check(
+        &self,
+        effect_dim: Option<usize>,
+        sensory_space: Option<&Bounds>,
+    ) -> Result<(), Error> {
+        let _ = (effect_dim, sensory_space);
         Ok(())
     }
 }
@@ -69,7 +74,7 @@ pub trait Composite: fmt::Debug + Send + Sync {
         None
     }
 
-    /// Learns the dimension of the effects, known from the first of them.
+    /// Learns the dimension of the effects, before each reward.
     ///
     /// # Errors
     /// If effects of that dimension cannot be rewarded.

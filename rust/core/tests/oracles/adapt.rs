@@ -17,10 +17,10 @@ pub struct Adapt {
     pub head_start: usize,
 }
 
-/// One step: who chose, what he believed, the command and its effect.
+/// One step: who chose, what it believed, the command and its effect.
 pub struct Step {
     pub choice: usize,
-    pub diversities: [f64; 2],
+    pub estimates: [f64; 2],
     pub command: Vec<f64>,
     pub effect: Vec<f64>,
 }
@@ -38,17 +38,17 @@ impl Adapt {
         let mut gains = [vec![disc; self.head_start], vec![disc; self.head_start]];
         let mut steps: Vec<Step> = Vec::new();
         for _ in 0..n {
-            let diversities = [0, 1].map(|part| {
+            let estimates = [0, 1].map(|part| {
                 let all: &Vec<f64> = &gains[part];
                 let last = &all[all.len().saturating_sub(self.window)..];
                 if last.is_empty() { 0.0 } else { in_parts(last) / last.len() as f64 }
             });
             let (exploring, u) = (stream.unit() < self.alpha, stream.unit());
-            let total = diversities[0] + diversities[1];
+            let total = estimates[0] + estimates[1];
             let choice = if exploring || total == 0.0 {
                 usize::from(u >= 0.5)
             } else {
-                usize::from(u * total >= diversities[0])
+                usize::from(u * total >= estimates[0])
             };
             let command = if choice == 0 || steps.is_empty() {
                 (0..self.m).map(|_| stream.between(-self.limit, self.limit)).collect()
@@ -57,7 +57,7 @@ impl Adapt {
             };
             let effect = f(&command);
             gains[choice].push(coverage.add(&effect).unwrap());
-            steps.push(Step { choice, diversities, command, effect });
+            steps.push(Step { choice, estimates, command, effect });
         }
         steps
     }

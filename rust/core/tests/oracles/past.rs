@@ -12,9 +12,9 @@ pub fn past(
 ) -> History {
     let (motor_space, sensory_space) = (motor_space.clone(), sensory_space.cloned());
     let m = motor_space.dim();
-    let mut history = History::new(motor_space, sensory_space, effect_dim, true).unwrap();
+    let mut history = History::new(motor_space, sensory_space, true, 0).unwrap();
     for (command, effect) in commands.chunks_exact(m).zip(effects.chunks_exact(effect_dim)) {
-        history.record(command, effect);
+        history.record(command, effect, &[], &[]).unwrap();
     }
     history
 }

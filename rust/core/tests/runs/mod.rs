@@ -2,12 +2,18 @@
 
 #![allow(dead_code, reason = "each test takes the part that it needs")]
 
-use divbandit_core::bandits::Adapt;
-use divbandit_core::exploration::Log;
+use divbandit_core::bandits::Bandit;
+use divbandit_core::bandits::estimators::EstimatorKind;
+use divbandit_core::bandits::policies::PolicyKind;
+use divbandit_core::bandits::rewards::RewardKind;
 use divbandit_core::goals::Uniform;
+use divbandit_core::history::Log;
 use divbandit_core::inverse::Nearest;
+use divbandit_core::measures::MeasureKind;
 use divbandit_core::strategies::{GoalBabbling, Mixture, MotorBabbling};
-use divbandit_core::{Bounds, Composition, Coverage, Error, Exploration, History, PlanarArm};
+use divbandit_core::{
+    Bounds, Composition, Environment, Error, Exploration, History, PlanarArm, Proposal,
+};
 
 use crate::oracles::Stream;
 
@@ -22,8 +28,9 @@ pub fn cube(dim: usize, half: f64) -> Bounds {
     Bounds::new(vec![-half; dim], vec![half; dim]).unwrap()
 }
 
-pub fn history(joints: usize, keep_commands: bool) -> History {
-    History::new(cube(joints, LIMIT), Some(cube(2, 1.0)), 2, keep_commands).unwrap()
+/// Goals in a square; with each step `width` estimates are logged.
+pub fn history(joints: usize, keeps_commands: bool, width: usize) -> History {
+    History::new(cube(joints, LIMIT), Some(cube(2, 1.0)), keeps_commands, width).unwrap()
 }
 
 pub fn goal_babbling(d: f64) -> GoalBabbling {
@@ -31,8 +38,16 @@ pub fn goal_babbling(d: f64) -> GoalBabbling {
     GoalBabbling::new(Box::new(goals), Box::new(inverse))
 }
 
-pub fn adapt(parts: usize, tau: f64, window: usize) -> Adapt {
-    Adapt::new(parts, Coverage::new(tau, 2).unwrap(), window, 0.1, 1).unwrap()
+/// The gain of discs, or balls, of this radius.
+pub fn gain(tau: f64) -> RewardKind {
+    RewardKind::Gain(MeasureKind::Balls { tau, accuracy: 1e-3 })
+}
+
+/// ADAPT where effects have two dimensions, with a head start of one gain.
+pub fn adapt(parts: usize, tau: f64, window: usize) -> Bandit {
+    let estimator = EstimatorKind::Window { size: window, head_start: 1 };
+    let policy = PolicyKind::Proportional { alpha: 0.1, power: 1.0 };
+    Bandit::new(parts, gain(tau), estimator, policy, Some(2)).unwrap()
 }
 
 /// A mixture of parts that are all as likely.
@@ -40,20 +55,51 @@ pub fn mixed(strategies: &mut Composition, parts: Vec<usize>) -> usize {
     strategies.compose(Mixture::new(vec![1.0; parts.len()]).unwrap(), parts).unwrap()
 }
 
-/// Ready to explore an arm of three joints, all of whose commands are kept.
-pub fn ready(strategies: Composition, root: usize) -> Exploration {
-    Exploration::new(Box::new(arm(3)), history(3, true), strategies, root).unwrap()
+/// An exploration, with all that it needs.
+pub struct Run {
+    pub exploration: Exploration,
+    pub environment: Box<dyn Environment>,
+    pub history: History,
 }
 
-pub fn go(run: &mut Exploration, n: usize, stream: &mut Stream) {
-    run.run(n, &mut || stream.unit()).unwrap();
+impl Run {
+    /// Of an arm of three joints, all of whose commands are kept.
+    pub fn new(strategies: Composition, root: usize) -> Self {
+        let exploration = Exploration::new(strategies, root, &history(3, true, 0)).unwrap();
+        let width = exploration.estimates().map_or(0, <[f64]>::len);
+        Self { exploration, environment: Box::new(arm(3)), history: history(3, true, width) }
+    }
+
+    pub fn go(&mut self, n: usize, stream: &mut Stream) {
+        self.try_to_go(n, stream).unwrap();
+    }
+
+    pub fn try_to_go(&mut self, n: usize, stream: &mut Stream) -> Result<(), Error> {
+        let Self { exploration, environment, history } = self;
+        exploration.run(&mut **environment, history, n, &mut || stream.unit())
+    }
+
+    pub fn propose(&mut self, stream: &mut Stream) -> Proposal {
+        let mut proposal = Proposal::new(self.history.motor_space().dim());
+        let mut draws = || stream.unit();
+        self.exploration.propose(&mut self.history, &mut draws, &mut proposal).unwrap();
+        proposal
+    }
+
+    pub fn observe(&mut self, proposal: &Proposal, effect: &[f64]) -> Result<(), Error> {
+        self.exploration.observe(&mut self.history, proposal, effect)
+    }
+
+    pub fn into_log(self) -> Log {
+        self.history.into_log().unwrap()
+    }
 }
 
 /// What `n` steps leave.
 pub fn explored(strategies: Composition, root: usize, n: usize) -> Log {
-    let mut run = ready(strategies, root);
-    go(&mut run, n, &mut Stream(1));
-    run.into_log().unwrap()
+    let mut run = Run::new(strategies, root);
+    run.go(n, &mut Stream(1));
+    run.into_log()
 }
 
 /// ADAPT over motor babbling and an inner ADAPT over motor and goal babbling, with their radii.

@@ -1,6 +1,6 @@
 //! CompetenceProgress: by how much the nearest effect to the goal has come nearer.
 
-use super::Reward;
+use super::{Reward, unseen};
 use crate::error::Error;
 use crate::history::History;
 use crate::kdtree::NearestNeighbors;
@@ -24,13 +24,15 @@ impl CompetenceProgress {
 impl Reward for CompetenceProgress {
     fn newest(&mut self, history: &History, goal: Option<&[f64]>) -> Result<f64, Error> {
         let dim = self.before.dim();
-        let (known, newest) = history.effects().split_at((history.len() - 1) * dim);
-        let Some(goal) = goal.filter(|_| !known.is_empty()) else { return Ok(0.0) };
-        for effect in known[self.before.len() * dim..].chunks_exact(dim) {
-            self.before.log(effect);
-        }
+        let mut between = unseen(history, self.before.len(), dim)?.chunks_exact(dim);
+        let Some(newest) = between.next_back() else {
+            return Err(Error::Empty { name: "history after the effects seen before" });
+        };
+        between.for_each(|effect| self.before.log(effect));
+        let Some(goal) = goal.filter(|_| !self.before.is_empty()) else { return Ok(0.0) };
         self.before.file_all();
         let (_, index) = self.before.nearest(goal)?;
+        let known = self.before.points();
         let progress = distance(goal, &known[index * dim..][..dim]) - distance(goal, newest);
         // The difference of two infinite distances is not a number: then it is 0.
         Ok(if progress > 0.0 { progress } else { 0.0 })
@@ -76,7 +78,8 @@ mod tests {
 
     #[test]
     fn distances_do_not_overflow() {
-        assert_eq!(distance(&[3e200, 0.0], &[0.0, 4e200]), 5e200);
+        let large = 2_f64.powi(1000);
+        assert_eq!(distance(&[3.0 * large, 0.0], &[0.0, 4.0 * large]), 5.0 * large);
         assert_eq!(distance(&[0.0], &[0.0]), 0.0);
         assert_eq!(distance(&[1.7e308], &[-1.7e308]), f64::INFINITY);
     }

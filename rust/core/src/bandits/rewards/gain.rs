@@ -1,6 +1,6 @@
 //! Gain: what an effect adds to a measure of diversity, given all effects before it.
 
-use super::Reward;
+use super::{Reward, unseen};
 use crate::error::Error;
 use crate::history::History;
 use crate::measures::Measure;
@@ -24,7 +24,7 @@ impl Gain {
 impl Reward for Gain {
     fn newest(&mut self, history: &History, _goal: Option<&[f64]>) -> Result<f64, Error> {
         let dim = self.measure.dim();
-        let unseen = &history.effects()[self.measure.len() * dim..];
+        let unseen = unseen(history, self.measure.len(), dim)?;
         self.measure.check("effect", unseen)?;
         for effect in unseen.chunks_exact(dim) {
             self.newest = self.measure.add(effect);

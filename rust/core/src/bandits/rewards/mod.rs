@@ -19,8 +19,23 @@ pub trait Reward: fmt::Debug + Send + Sync {
     /// The reward of the newest effect of the history, whose trial had this goal.
     ///
     /// # Errors
-    /// If that effect cannot be rewarded.
+    /// If that effect cannot be rewarded, or the history is not the one of the calls before.
     fn newest(&mut self, history: &History, goal: Option<&[f64]>) -> Result<f64, Error>;
+}
+
+/// The effects of the history after the first `seen`.
+fn unseen(history: &History, seen: usize, dim: usize) -> Result<&[f64], Error> {
+    let got = match history.effect_dim() {
+        Some(got) if !history.is_empty() => got,
+        _ => return Err(Error::Empty { name: "history" }),
+    };
+    if got != dim {
+        return Err(Error::Length { name: "effect", must_be: dim, got });
+    }
+    history.effects().get(seen * dim..).ok_or_else(|| {
+        let must_be = format!("the one seen before, of at least {seen} effects");
+        Error::Count { name: "history", must_be, got: history.len() }
+    })
 }
 
 /// Which reward it is.

@@ -2,14 +2,20 @@
 //!
 //! A table of processor time, the best of five runs each: ADAPT over motor and goal babbling on
 //! the paper's arm, and beside it the very same draws, kinematics, searches and insertions made
-//! one kind after the other. A plain arm with the standard library's sines is the yardstick.
+//! one kind after the other. A plain arm with the standard library's sines is the yardstick. Then
+//! the composition of `default_strategy` on the same arm.
 
 use std::hint::black_box;
 
 use cpu_time::ProcessTime;
-use divbandit_core::bandits::{Adapt, GainWindow};
-use divbandit_core::goals::Uniform;
-use divbandit_core::inverse::Nearest;
+use divbandit_core::bandits::Bandit;
+use divbandit_core::bandits::estimators::EstimatorKind;
+use divbandit_core::bandits::policies::PolicyKind;
+use divbandit_core::bandits::rewards::RewardKind;
+use divbandit_core::goals::{Uniform, Untried};
+use divbandit_core::history::Log;
+use divbandit_core::inverse::{LocalJacobian, Nearest};
+use divbandit_core::measures::MeasureKind;
 use divbandit_core::strategies::{GoalBabbling, MotorBabbling};
 use divbandit_core::{
     Bounds, Composition, Coverage, Exploration, History, NearestNeighbors, PlanarArm,
@@ -33,27 +39,40 @@ struct Run {
     choices: Vec<usize>,
 }
 
-fn adapt(d: f64, n: usize, keep_commands: bool) -> Exploration {
+/// Explores with ADAPT over motor babbling and this goal babbling.
+fn explored(
+    babbling: GoalBabbling,
+    (window, alpha, power): (usize, f64, f64),
+    n: usize,
+    seed: u64,
+) -> Log {
     let space = Bounds::new(vec![-LIMIT; JOINTS], vec![LIMIT; JOINTS]).unwrap();
-    let goals = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
+    let reachable = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
     let mut strategies = Composition::default();
-    let (uniform, nearest) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
-    let babbling = GoalBabbling::new(Box::new(uniform), Box::new(nearest));
     let parts = vec![strategies.add(MotorBabbling), strategies.add(babbling)];
-    let bandit = Adapt::new(2, Coverage::new(TAU, 2).unwrap(), WINDOW, 0.1, 1).unwrap();
+    let reward = RewardKind::Gain(MeasureKind::Balls { tau: TAU, accuracy: 1e-3 });
+    let estimator = EstimatorKind::Window { size: window, head_start: 1 };
+    let policy = PolicyKind::Proportional { alpha, power };
+    let bandit = Bandit::new(2, reward, estimator, policy, Some(2)).unwrap();
     let root = strategies.compose(bandit, parts).unwrap();
-    let history = History::new(space, Some(goals), 2, keep_commands).unwrap();
-    let arm = Box::new(PlanarArm::new(JOINTS, LIMIT).unwrap());
-    let mut run = Exploration::new(arm, history, strategies, root).unwrap();
-    run.reserve(n).unwrap();
-    run
+    let mut history = History::new(space, Some(reachable), true, 2).unwrap();
+    let mut run = Exploration::new(strategies, root, &history).unwrap();
+    let (mut arm, mut stream) = (PlanarArm::new(JOINTS, LIMIT).unwrap(), Stream(seed));
+    run.run(&mut arm, &mut history, n, &mut || stream.unit()).unwrap();
+    history.into_log().unwrap()
 }
 
-fn explore(d: f64, n: usize, seed: u64) -> divbandit_core::exploration::Log {
-    let mut stream = Stream(seed);
-    let mut run = adapt(d, n, true);
-    run.run(n, &mut || stream.unit()).unwrap();
-    run.into_log().unwrap()
+/// ADAPT as in the paper.
+fn explore(d: f64, n: usize, seed: u64) -> Log {
+    let (goals, inverse) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
+    explored(GoalBabbling::new(Box::new(goals), Box::new(inverse)), (WINDOW, 0.1, 1.0), n, seed)
+}
+
+/// What `default_strategy` makes in Python.
+fn explore_by_default(n: usize, seed: u64) -> Log {
+    let goals = Untried::new(TAU, 12, 20, 4.0, None).unwrap();
+    let inverse = LocalJacobian::new(50, 10, 0.01, 0.015, 0.3).unwrap();
+    explored(GoalBabbling::new(Box::new(goals), Box::new(inverse)), (200, 0.05, 8.0), n, seed)
 }
 
 /// The best of several times of `work`, in ns a step.
@@ -118,6 +137,10 @@ fn main() {
             row(d, n, times);
         }
     }
+    println!("default_strategy, ns a step");
+    for (n, times) in [(10_000, 5), (100_000, 1)] {
+        println!("n = {n:>7}: {:>6.0}", best(times, n, || explore_by_default(n, 1)));
+    }
 }
 
 fn row(d: f64, n: usize, times: usize) {
@@ -154,10 +177,11 @@ fn row(d: f64, n: usize, times: usize) {
     let mut gains = vec![0.0; n];
     coverage.extend(&run.effects, &mut gains).unwrap();
     let window = best(times, n, || {
-        let mut windows = [0, 1].map(|_| GainWindow::new(WINDOW, coverage.ball(), 1));
+        let kind = EstimatorKind::Window { size: WINDOW, head_start: 1 };
+        let mut windows = kind.start(2, coverage.ball()).unwrap();
         for (&gain, &choice) in gains.iter().zip(&run.choices) {
-            windows[choice].add(gain);
-            black_box(windows[choice].mean());
+            windows.add(choice, gain);
+            black_box(windows.means());
         }
     });
     let sum = draws + tips + grow + find + cover + window;

@@ -39,7 +39,7 @@ fn steps(criterion: &mut Criterion) {
                 model.command(&goal, &mut history, &mut unit, &mut command).unwrap();
                 goals.push(goal.clone());
             }
-            history.record(&command, &arm.effect(&command).unwrap());
+            history.record(&command, &arm.effect(&command).unwrap(), &[], &[]).unwrap();
         }
         let goals = &goals[goals.len().saturating_sub(GOALS)..];
 

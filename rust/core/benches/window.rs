@@ -1,9 +1,9 @@
-//! The window of gains: a gain added and the mean read, for windows of several sizes.
+//! The window of rewards: a reward added and the mean read, for windows of several sizes.
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use divbandit_core::bandits::GainWindow;
+use divbandit_core::bandits::estimators::EstimatorKind;
 
 #[path = "../tests/oracles/mod.rs"]
 mod oracles;
@@ -19,12 +19,13 @@ fn add_and_mean(criterion: &mut Criterion) {
     group.throughput(Throughput::Elements(GAINS as u64));
     for size in [1, 50, 1_000_000] {
         // Full from the start.
-        let mut window = GainWindow::new(size, 1.26e-3, size);
+        let mut window =
+            EstimatorKind::Window { size, head_start: size }.start(1, 1.26e-3).unwrap();
         group.bench_function(BenchmarkId::from_parameter(size), |bencher| {
             bencher.iter(|| {
                 for &gain in &gains {
-                    window.add(gain);
-                    black_box(window.mean());
+                    window.add(0, gain);
+                    black_box(window.means()[0]);
                 }
             });
         });

@@ -10,7 +10,6 @@ pub mod policies;
 pub mod rewards;
 
 pub use bandit::Bandit;
-pub use estimators::GainWindow;
 
 use crate::error::Error;
 

@@ -23,7 +23,6 @@ use super::{check_above_0_to_1, check_start};
 use crate::error::Error;
 
 pub(super) use largest::Largest;
-pub use window::GainWindow;
 
 /// Upper limit on the window, all of whose rewards are stored.
 const LONGEST: usize = 1_000_000;

@@ -11,7 +11,7 @@ use crate::exact_sum::ExactSum;
 /// A mean is recomputed when its part's window changes, and at no other time.
 #[derive(Debug)]
 pub(super) struct Window {
-    windows: Vec<GainWindow>,
+    windows: Vec<Last>,
     means: Vec<f64>,
     counts: Vec<f64>,
     largest: Largest,
@@ -19,10 +19,11 @@ pub(super) struct Window {
 
 impl Window {
     pub fn new(size: usize, head_start: usize, parts: usize, largest: f64) -> Self {
-        let window = GainWindow::new(size, largest, head_start);
+        let mut window = Last::new(size);
+        (0..head_start).for_each(|_| window.add(largest));
         Self {
             means: vec![window.mean(); parts],
-            counts: vec![window.len() as f64; parts],
+            counts: vec![window.count(); parts],
             windows: vec![window; parts],
             largest: Largest::new(largest),
         }
@@ -46,80 +47,75 @@ impl Estimator for Window {
         let window = &mut self.windows[part];
         window.add(reward);
         self.means[part] = window.mean();
-        self.counts[part] = window.len() as f64;
+        self.counts[part] = window.count();
         self.largest.see(reward);
     }
 }
 
-/// The gains of the last `size` effects that a strategy produced.
+/// The last `size` rewards of one part; the oldest leave a full window.
 ///
-/// A head start of `count` fictitious gains comes first. The oldest gains leave a full window, so
-/// that of one fictitious gain nothing is left when `size` real ones have followed.
-///
-/// Gains may be negative, but must be finite. The sum of those in the window is kept exactly, so
-/// that a gain costs the same in windows of any size, and memory only what is in there.
-///
-/// ```
-/// use divbandit_core::bandits::GainWindow;
-///
-/// let mut window = GainWindow::new(3, 6.0, 1);
-/// assert_eq!(window.mean(), 6.0);
-/// for gain in [0.0, 3.0, 3.0] {
-///     window.add(gain);
-/// }
-/// assert_eq!(window.mean(), 2.0);
-/// ```
+/// Rewards may be negative, but must be finite. The sum of those in the window is kept exactly, so
+/// that a reward costs the same in windows of any size, and memory only what is in there.
 #[derive(Debug, Clone)]
-pub struct GainWindow {
+struct Last {
     size: usize,
     /// The oldest first.
-    gains: VecDeque<f64>,
+    rewards: VecDeque<f64>,
     sum: ExactSum,
 }
 
-impl GainWindow {
-    /// A window of `size` gains that begins with `count` gains of `head_start`, or `size` of them
-    /// if that is less. One of no gains at all stays empty.
-    #[must_use]
-    pub fn new(size: usize, head_start: f64, count: usize) -> Self {
-        let mut window = Self { size, gains: VecDeque::new(), sum: ExactSum::default() };
-        for _ in 0..count.min(size) {
-            window.add(head_start);
-        }
-        window
+impl Last {
+    /// None yet, of at most `size`, which is positive.
+    fn new(size: usize) -> Self {
+        Self { size, rewards: VecDeque::new(), sum: ExactSum::default() }
     }
 
-    /// Adds the newest gain; the oldest leaves a full window.
+    /// Adds the newest reward.
     #[inline]
-    pub fn add(&mut self, gain: f64) {
-        if self.gains.len() == self.size {
-            let Some(oldest) = self.gains.pop_front() else { return };
+    fn add(&mut self, reward: f64) {
+        if self.rewards.len() == self.size {
+            let Some(oldest) = self.rewards.pop_front() else { return };
             self.sum.subtract(oldest);
         }
-        self.gains.push_back(gain);
-        self.sum.add(gain);
+        self.rewards.push_back(reward);
+        self.sum.add(reward);
     }
 
-    /// The mean gain, the strategy's diversity; 0 for an empty window.
+    /// How many rewards are in the window.
+    fn count(&self) -> f64 {
+        self.rewards.len() as f64
+    }
+
+    /// The mean reward; 0 for an empty window.
     ///
-    /// The sum is exact before it is rounded once: it depends on nothing but the gains, and
+    /// The sum is exact before it is rounded once: it depends on nothing but the rewards, and
     /// never drifts. It is infinite where it is more than the largest number, even though
     /// the mean would not be.
     #[inline]
-    #[must_use]
-    pub fn mean(&self) -> f64 {
-        mean_of(self.sum.value(), self.gains.len() as f64)
+    fn mean(&self) -> f64 {
+        mean_of(self.sum.value(), self.count())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Last;
+
+    /// Room for all of such a window could not be had.
+    #[test]
+    fn a_window_takes_room_for_what_is_in_it_only() {
+        let mut last = Last::new(usize::MAX);
+        last.add(1.0);
+        last.add(2.0);
+        assert_eq!((last.mean(), last.count()), (1.5, 2.0));
     }
 
-    /// How many gains are in the window.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.gains.len()
-    }
-
-    /// Whether none is.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.gains.is_empty()
+    #[test]
+    fn what_is_no_number_leaves_no_trace() {
+        let mut last = Last::new(2);
+        for reward in [f64::NAN, f64::INFINITY, 3.0, 4.0] {
+            last.add(reward);
+        }
+        assert_eq!(last.mean(), 3.5);
     }
 }

@@ -44,8 +44,8 @@ fn estimators() {
         (EstimatorKind::RecentWindow { size: 4 }, [3.0, 0.0, 1.0], [1.0, 0.0, 3.0]),
         (
             EstimatorKind::Discounted { gamma: 0.5, head_start: 0 },
-            [(1.0 / 32.0 + 3.0 / 4.0 * 0.5 + 0.0) / (5.0 / 32.0), 4.0, 3.0 / 1.625],
-            [5.0 / 32.0, 1.0 / 16.0, 1.625],
+            [25.0 / 9.0, 4.0, 3.0 / 1.625],
+            [9.0 / 32.0, 1.0 / 16.0, 1.625],
         ),
     ];
     for (kind, means, counts) in kinds {

@@ -229,8 +229,9 @@ fn a_refusal_draws_nothing() {
     assert_eq!(ask(&[0.0], &mut history, 3), "goal must have length 2, got 1");
     assert_eq!(ask(&[0.0, f64::NAN], &mut history, 3), "goal[1] must be finite, got NaN");
     assert_eq!(ask(&goal, &mut history, 2), "command must have length 3, got 2");
+    let corner = space.low().to_vec();
     let mut forgetful = History::new(space, None, false, 0).unwrap();
-    forgetful.record(&[0.0; 3], &[0.0; 2], &[], &[]).unwrap();
+    forgetful.record(&corner, &[0.0; 2], &[], &[]).unwrap();
     assert_eq!(ask(&goal, &mut forgetful, 3), "commands must have length 3, got 0");
 }
 

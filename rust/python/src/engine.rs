@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use divbandit_core::{Environment, Error, Exploration, History, Proposal};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -100,18 +100,17 @@ impl PyEngine {
 
     /// Let the strategy propose a trial.
     fn ask(
-        &mut self,
-        mut history: PyRefMut<'_, PyHistory>,
+        slf: &Bound<'_, Self>,
+        history: &Bound<'_, PyHistory>,
         rng: &Bound<'_, PyAny>,
     ) -> PyResult<PyTrial> {
+        let (this, mut log) = (&mut *idle(slf)?, writable(history)?);
         let mut stream = NumpyStream::lock(rng)?;
-        self.exploration
-            .propose(&mut history.0, &mut stream, &mut self.spare)
-            .map_err(value_error)?;
+        this.exploration.propose(&mut log.0, &mut stream, &mut this.spare).map_err(value_error)?;
         drop(stream);
-        self.open.insert(self.asked, self.spare.clone());
-        self.asked += 1;
-        self.proposed(rng.py(), self.asked - 1)
+        this.open.insert(this.asked, this.spare.clone());
+        this.asked += 1;
+        this.proposed(rng.py(), this.asked - 1)
     }
 
     /// Return a pending trial.
@@ -125,24 +124,33 @@ impl PyEngine {
     }
 
     /// Record the effect of a trial, and let the strategy learn from it.
+    ///
+    /// An effect that is refused is not recorded, and its trial stays under way.
     fn tell(
-        &mut self,
+        slf: &Bound<'_, Self>,
         number: usize,
-        mut history: PyRefMut<'_, PyHistory>,
+        history: &Bound<'_, PyHistory>,
         effect: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
         let mut numbers = Vec::new();
-        BlackBox::read(effect, history.0.effect_dim(), &mut numbers)?;
-        let proposal = self.open.remove(&number).ok_or_else(unknown)?;
-        let told = self.exploration.observe(&mut history.0, &proposal, &numbers);
-        self.spare = proposal;
+        BlackBox::read(effect, history.try_borrow()?.0.effect_dim(), &mut numbers)?;
+        let (this, mut log) = (&mut *idle(slf)?, writable(history)?);
+        let proposal = this.open.remove(&number).ok_or_else(unknown)?;
+        let known = log.0.len();
+        let told = this.exploration.observe(&mut log.0, &proposal, &numbers);
+        if told.is_err() && log.0.len() == known {
+            this.open.insert(number, proposal);
+        } else {
+            this.spare = proposal;
+        }
         told.map_err(value_error)
     }
 
     /// Let the strategy learn that a trial has failed.
-    fn fail(&mut self, number: usize) -> PyResult<()> {
-        let proposal = self.open.remove(&number).ok_or_else(unknown)?;
-        self.exploration.fail(&proposal);
+    fn fail(slf: &Bound<'_, Self>, number: usize) -> PyResult<()> {
+        let this = &mut *idle(slf)?;
+        let proposal = this.open.remove(&number).ok_or_else(unknown)?;
+        this.exploration.fail(&proposal);
         Ok(())
     }
 
@@ -153,44 +161,51 @@ impl PyEngine {
     /// trial whose evaluation raises stays pending.
     #[pyo3(signature = (environment, history, n, rng, between))]
     fn run(
-        &mut self,
-        py: Python<'_>,
+        slf: &Bound<'_, Self>,
         environment: &Bound<'_, PyAny>,
         history: &Bound<'_, PyHistory>,
         n: &Bound<'_, PyAny>,
         rng: &Bound<'_, PyAny>,
         between: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
+        // Held until it ends: what is called in between cannot ask or tell.
+        let (py, this) = (slf.py(), &mut *idle(slf)?);
         let n = count("n", n)?;
-        history.borrow_mut().0.reserve(n).map_err(value_error)?;
-        self.refused = false;
-        if let Some(environment) = environment_of(environment)? {
-            return self.run_in_rust(py, environment, history, n, rng, between);
+        writable(history)?.0.reserve(n).map_err(value_error)?;
+        this.refused = false;
+        match environment_of(environment)? {
+            Some(kernel) => this.run_in_rust(py, kernel, history, n, rng, between),
+            None => this.run_in_python(&BlackBox::of(environment)?, history, n, rng, between),
         }
-        let black_box = BlackBox::of(environment)?;
+    }
+}
+
+impl PyEngine {
+    /// Explores a black box, which is called back for each effect.
+    fn run_in_python(
+        &mut self,
+        black_box: &BlackBox<'_>,
+        history: &Bound<'_, PyHistory>,
+        n: usize,
+        rng: &Bound<'_, PyAny>,
+        between: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        let py = history.py();
         let mut effect = Vec::new();
         for _ in 0..n {
             {
                 // Locked for each step alone: the environment may draw from the same generator.
                 let mut stream = NumpyStream::lock(rng)?;
-                let log = &mut history.borrow_mut().0;
+                let log = &mut writable(history)?.0;
                 self.exploration.propose(log, &mut stream, &mut self.spare).map_err(value_error)?;
             }
             let number = self.asked;
             self.asked += 1;
-            let dim = history.borrow().0.effect_dim();
-            if let Err(error) = black_box.evaluate(py, self.spare.command(), dim, &mut effect) {
-                self.open.insert(number, self.spare.clone());
-                return Err(error);
-            }
-            let log = &mut history.borrow_mut().0;
-            let known = log.len();
-            if let Err(error) = self.exploration.observe(log, &self.spare, &effect) {
-                self.refused = log.len() > known;
+            if let Err(error) = self.evaluate(black_box, history, &mut effect) {
                 if !self.refused {
                     self.open.insert(number, self.spare.clone());
                 }
-                return Err(value_error(error));
+                return Err(error);
             }
             py.check_signals()?;
             if let Some(between) = between {
@@ -199,9 +214,23 @@ impl PyEngine {
         }
         Ok(())
     }
-}
 
-impl PyEngine {
+    /// Finds the effect of the trial proposed last, and records it.
+    fn evaluate(
+        &mut self,
+        black_box: &BlackBox<'_>,
+        history: &Bound<'_, PyHistory>,
+        effect: &mut Vec<f64>,
+    ) -> PyResult<()> {
+        let dim = history.try_borrow()?.0.effect_dim();
+        black_box.evaluate(history.py(), self.spare.command(), dim, effect)?;
+        let log = &mut writable(history)?.0;
+        let known = log.len();
+        let observed = self.exploration.observe(log, &self.spare, effect);
+        self.refused = observed.is_err() && log.len() > known;
+        observed.map_err(value_error)
+    }
+
     /// Explores an environment in Rust, detached from Python for a while at a time.
     fn run_in_rust(
         &mut self,
@@ -218,7 +247,7 @@ impl PyEngine {
                 // Locked for a while alone: what handles a signal may draw from the same generator.
                 let mut stream = NumpyStream::lock(rng)?;
                 let draws = stream.draws();
-                let log = &mut history.borrow_mut().0;
+                let log = &mut writable(history)?.0;
                 let known = log.len();
                 let exploration = &mut self.exploration;
                 let done =
@@ -254,6 +283,20 @@ fn for_a_while(
         exploration.run(environment, history, steps, draws)?;
     }
     Ok(())
+}
+
+/// The engine, unless it is running: an environment that calls it back is refused.
+fn idle<'py>(engine: &Bound<'py, PyEngine>) -> PyResult<PyRefMut<'py, PyEngine>> {
+    engine.try_borrow_mut().map_err(|_| {
+        PyRuntimeError::new_err("an exploration must not be asked or told while it runs")
+    })
+}
+
+/// The history, unless another thread is reading it.
+fn writable<'py>(history: &Bound<'py, PyHistory>) -> PyResult<PyRefMut<'py, PyHistory>> {
+    history
+        .try_borrow_mut()
+        .map_err(|_| PyRuntimeError::new_err("history must not be in use by another thread"))
 }
 
 fn unknown() -> PyErr {

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use crate::arrays::read_only;
 use crate::bounds::PyBounds;
 use crate::errors::value_error;
-use crate::history::PyHistory;
+use crate::history::log_of;
 use crate::parts::{class_of, field};
 use crate::random::NumpyStream;
 
@@ -62,19 +62,6 @@ fn cells_of(part: &Bound<'_, PyAny>) -> PyResult<Cells> {
         Ok(count) => Ok(Cells::Alike(count)),
         Err(_) => Ok(Cells::Each(cells.extract()?)),
     }
-}
-
-/// The log of a history, which is one itself or has it as `_log`.
-pub(crate) fn log_of<'py>(history: &Bound<'py, PyAny>) -> PyResult<PyRefMut<'py, PyHistory>> {
-    if let Ok(log) = history.cast::<PyHistory>() {
-        return Ok(log.try_borrow_mut()?);
-    }
-    let refused = || {
-        let got = history.get_type().name().map_or_else(|_| "an object".into(), |n| n.to_string());
-        PyTypeError::new_err(format!("history must be a History, got {got}"))
-    };
-    let log = history.getattr("_log").map_err(|_| refused())?;
-    Ok(log.cast::<PyHistory>().map_err(|_| refused())?.try_borrow_mut()?)
 }
 
 /// A running goal sampler, for one exploration.

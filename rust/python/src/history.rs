@@ -4,7 +4,7 @@ use divbandit_core::History;
 use divbandit_core::error::check_finite;
 use divbandit_core::history::Log;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -16,6 +16,9 @@ use crate::kdtree::found;
 
 /// Rows of numbers, and of indices.
 type Rows<'py, T> = Bound<'py, PyArray2<T>>;
+
+/// Commands and effects.
+type Points<'py> = (Rows<'py, f64>, Rows<'py, f64>);
 
 /// Commands (if kept), effects, paths and, of a bandit, estimates: an array each.
 type Arrays<'py> = (Option<Rows<'py, f64>>, Rows<'py, f64>, Rows<'py, i64>, Option<Rows<'py, f64>>);
@@ -86,7 +89,7 @@ impl PyHistory {
         &self,
         commands: &Bound<'py, PyAny>,
         effects: &Bound<'py, PyAny>,
-    ) -> PyResult<((Rows<'py, f64>, Rows<'py, f64>), Option<usize>)> {
+    ) -> PyResult<(Points<'py>, Option<usize>)> {
         let (py, m) = (commands.py(), self.0.motor_space().dim());
         let commands = Floats::points("commands", commands, m)?.copied()?;
         let (effects, s) = Floats::any_points("effects", effects, self.0.effect_dim())?;
@@ -107,13 +110,14 @@ impl PyHistory {
         Ok((both, (n > 0).then_some(s)))
     }
 
-    /// Record evaluations that were checked.
-    fn extend(&mut self, points: (Rows<'_, f64>, Rows<'_, f64>)) -> PyResult<()> {
+    /// Record evaluations that were checked: all, or none.
+    fn extend(&mut self, points: Points<'_>) -> PyResult<()> {
         let (commands, effects) = (points.0.try_readonly(), points.1.try_readonly());
         let used = |error| PyValueError::new_err(format!("an array is in use elsewhere: {error}"));
         let (commands, effects) = (commands.map_err(used)?, effects.map_err(used)?);
-        let (m, s) = (commands.dims()[1], effects.dims()[1]);
+        let (m, s) = (self.0.motor_space().dim(), effects.dims()[1].max(1));
         let rows = commands.as_slice()?.chunks_exact(m).zip(effects.as_slice()?.chunks_exact(s));
+        self.0.reserve(rows.len()).map_err(value_error)?;
         for (command, effect) in rows {
             self.0.record(command, effect, &[], &[]).map_err(value_error)?;
         }
@@ -157,8 +161,9 @@ impl PyHistory {
 
     /// Copies of all that was logged: commands, effects, paths, estimates.
     fn arrays<'py>(&self, py: Python<'py>, keep_commands: bool) -> PyResult<Arrays<'py>> {
-        let log = py.detach(|| self.0.clone().into_log()).map_err(value_error)?;
-        self.as_arrays(py, log, keep_commands)
+        // Attached to Python all the while: an exploration in another thread may want to write.
+        let log = self.0.clone().into_log().map_err(value_error)?;
+        self.as_arrays(py, log, self.0.effect_dim(), keep_commands)
     }
 
     /// All that was logged, without copies: the log is empty then.
@@ -167,9 +172,9 @@ impl PyHistory {
         let width = self.0.estimates().1;
         let empty =
             History::new(space, goals, self.0.keeps_commands(), width).map_err(value_error)?;
-        let full = std::mem::replace(&mut self.0, empty);
-        let log = py.detach(|| full.into_log()).map_err(value_error)?;
-        self.as_arrays(py, log, keep_commands)
+        let dim = self.0.effect_dim();
+        let log = std::mem::replace(&mut self.0, empty).into_log().map_err(value_error)?;
+        self.as_arrays(py, log, dim, keep_commands)
     }
 
     fn __len__(&self) -> usize {
@@ -178,22 +183,16 @@ impl PyHistory {
 }
 
 impl PyHistory {
-    /// A log as arrays; its spaces and widths are those of this history.
+    /// A log of effects of this dimension as arrays; its other widths are those of this history.
     fn as_arrays<'py>(
         &self,
         py: Python<'py>,
         log: Log,
+        effect_dim: Option<usize>,
         keep_commands: bool,
     ) -> PyResult<Arrays<'py>> {
-        let (m, width) = (self.0.motor_space().dim(), self.0.estimates().1);
-        let n = log
-            .commands
-            .len()
-            .checked_div(m)
-            .unwrap_or(0)
-            .max(log.paths.len().checked_div(log.depth).unwrap_or(0));
-        let n = n.max(self.0.effect_dim().map_or(0, |s| log.effects.len() / s));
-        let s = log.effects.len().checked_div(n).unwrap_or(self.0.effect_dim().unwrap_or(0));
+        let (n, m, width) = (log.len, self.0.motor_space().dim(), self.0.estimates().1);
+        let s = effect_dim.unwrap_or(0);
         let array = |numbers: Vec<f64>, width: usize| numbers.into_pyarray(py).reshape([n, width]);
         Ok((
             if keep_commands { Some(array(log.commands, m)?) } else { None },
@@ -204,10 +203,17 @@ impl PyHistory {
     }
 }
 
-/// The log of a `History` of Python, in its attribute `_log`.
+/// The log of a history, which is one itself or has it as `_log`.
 pub(crate) fn log_of<'py>(history: &Bound<'py, PyAny>) -> PyResult<PyRefMut<'py, PyHistory>> {
-    let log = history.getattr(intern!(history.py(), "_log"))?;
-    Ok(log.cast_into::<PyHistory>()?.try_borrow_mut()?)
+    if let Ok(log) = history.cast::<PyHistory>() {
+        return Ok(log.try_borrow_mut()?);
+    }
+    let refused = || {
+        let got = history.get_type().name().map_or_else(|_| "an object".into(), |n| n.to_string());
+        PyTypeError::new_err(format!("history must be a History, got {got}"))
+    };
+    let log = history.getattr(intern!(history.py(), "_log")).map_err(|_| refused())?;
+    Ok(log.cast::<PyHistory>().map_err(|_| refused())?.try_borrow_mut()?)
 }
 
 /// Rows of `width` numbers from row `first` on, copied.
@@ -217,6 +223,6 @@ fn rows<'py>(
     width: usize,
     first: usize,
 ) -> PyResult<Rows<'py, f64>> {
-    let rest = numbers.get(first * width..).unwrap_or_default();
+    let rest = numbers.get(first.saturating_mul(width)..).unwrap_or_default();
     PyArray1::from_slice(py, rest).reshape([rest.len().checked_div(width).unwrap_or(0), width])
 }

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Floats, read_only};
 use crate::errors::value_error;
-use crate::goals::log_of;
+use crate::history::log_of;
 use crate::parts::{class_of, field};
 use crate::random::NumpyStream;
 

@@ -12,7 +12,6 @@ use crate::errors::value_error;
 use crate::parts::{class_of, field, library_class_of};
 
 /// Which measure a part is; None for one that a user defined.
-#[allow(dead_code)]
 pub(crate) fn measure_of(part: &Bound<'_, PyAny>) -> PyResult<Option<MeasureKind>> {
     match class_of(part)? {
         Some(class) => kind_of(&class, part),

@@ -1,5 +1,6 @@
 """The engine's states: refused, called back while it runs, and what is left without commands."""
 
+import functools
 from typing import Any
 
 import numpy as np
@@ -49,7 +50,8 @@ def test_an_environment_cannot_ask_or_tell_the_engine_that_calls_it() -> None:
     ]
     for call in calls:
         engine, log = begun()
-        environment = db.FunctionEnvironment(lambda _, c=call: c(engine, log), motor_space=BOX)
+        calling = functools.partial(call, engine, log)
+        environment = db.FunctionEnvironment(lambda _, c=calling: c(), motor_space=BOX)
         with pytest.raises(RuntimeError, match="must not be asked or told while it runs"):
             engine.run(environment, log, 1, rng, None)
         # The trial is under way, and all goes on.
@@ -66,7 +68,7 @@ def test_an_effect_that_is_refused_leaves_its_trial_under_way() -> None:
     engine = Engine(bandit, log)
     engine.ask(log, np.random.default_rng(0))
     for wrong in ([1.0], [np.nan, 0.0], []):
-        with pytest.raises(ValueError, match="cell|finite|empty"):
+        with pytest.raises(ValueError, match=r"cell|finite|empty"):
             engine.tell(0, log, wrong)
         assert len(log) == 0
     engine.tell(0, log, [1.0, 2.0])
@@ -99,7 +101,8 @@ def test_rows_beyond_the_log_are_none() -> None:
 
 
 def test_estimates_of_another_number_are_refused() -> None:
-    log = Log(Bounds([0.0], [1.0]), None, True, 2)  # noqa: FBT003 - positional
+    log = Log(Bounds([0.0], [1.0]), None)
+    log.begin(keeps_commands=True, width=2)
     with pytest.raises(ValueError, match="estimates must have length 2, got 1"):
         log.record([0.5], [1.0], (0,), [0.5])
     assert len(log) == 0

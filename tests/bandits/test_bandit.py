@@ -61,6 +61,13 @@ POLICIES = (
     RoundRobin(),
     Uniform(),
 )
+
+
+def named(part):
+    """Return what a test calls a part: without the address of a function."""
+    return getattr(part, "__name__", repr(part))
+
+
 ALL = list(itertools.product(REWARDS, ESTIMATORS, POLICIES))
 
 
@@ -87,7 +94,7 @@ def driven(bandit, engine):
     return explorer.history.commands.tobytes(), seen, state(explorer.rng)
 
 
-@pytest.mark.parametrize("parts", ALL, ids=lambda parts: " ".join(map(repr, parts))[:90])
+@pytest.mark.parametrize("parts", ALL, ids=lambda parts: " ".join(map(named, parts)))
 def test_every_combination(parts):
     """One seed, the same bits, in Python and in the engine; the bandit is not changed."""
     bandit = made(*parts)
@@ -265,7 +272,9 @@ class Listed:
 GOOD = {"reward": REWARDS[0], "estimator": Window(), "policy": UCB()}
 
 
-@pytest.mark.parametrize("started", [None, 7, "ab", object(), Listed], ids=repr)
+@pytest.mark.parametrize(
+    "started", [None, 7, "ab", object(), Listed], ids=["None", "7", "ab", "an object", "a class"]
+)
 @pytest.mark.parametrize("name", ["reward", "estimator", "policy", "measure"])
 @pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
 def test_a_part_whose_start_returns_nonsense_is_refused(name, started, known):

@@ -163,15 +163,24 @@ impl History {
         Ok(Observed { effects, commands: &self.commands, motor_space: &self.motor_space })
     }
 
+    /// Checks that so many more evaluations can be counted.
+    ///
+    /// # Errors
+    /// If they would be 2^32 or more.
+    pub fn check_room(&self, n: usize) -> Result<(), Error> {
+        if self.len.saturating_add(n) < u32::MAX as usize {
+            return Ok(());
+        }
+        let must_be = "so few that all evaluations together are fewer than 2^32".to_owned();
+        Err(Error::Count { name: "n", must_be, got: n })
+    }
+
     /// Allocates memory for so many more evaluations.
     ///
     /// # Errors
     /// If there is no memory for them, or they would be 2^32 or more; nothing has changed then.
     pub fn reserve(&mut self, n: usize) -> Result<(), Error> {
-        if self.len.saturating_add(n) >= u32::MAX as usize {
-            let must_be = "so few that all evaluations together are fewer than 2^32".to_owned();
-            return Err(Error::Count { name: "n", must_be, got: n });
-        }
+        self.check_room(n)?;
         if self.keeps_commands {
             reserve(&mut self.commands, n, self.motor_space.dim())?;
         }

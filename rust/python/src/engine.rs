@@ -171,10 +171,12 @@ impl PyEngine {
         // Held until it ends: what is called in between cannot ask or tell.
         let (py, this) = (slf.py(), &mut *idle(slf)?);
         let n = count("n", n)?;
-        writable(history)?.0.reserve(n).map_err(value_error)?;
         this.refused = false;
         match environment_of(environment)? {
-            Some(kernel) => this.run_in_rust(py, kernel, history, n, rng, between),
+            Some(kernel) => {
+                writable(history)?.0.reserve(n).map_err(value_error)?;
+                this.run_in_rust(py, kernel, history, n, rng, between)
+            }
             None => this.run_in_python(&BlackBox::of(environment)?, history, n, rng, between),
         }
     }
@@ -191,6 +193,7 @@ impl PyEngine {
         between: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
         let py = history.py();
+        writable(history)?.0.check_room(n).map_err(value_error)?;
         let mut effect = Vec::new();
         for _ in 0..n {
             {

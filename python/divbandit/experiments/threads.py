@@ -7,7 +7,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from concurrent.futures import thread as executors
 from contextlib import suppress
 from queue import Empty, SimpleQueue
-from threading import Event, get_ident
+from threading import Event, Thread, current_thread
 from typing import TYPE_CHECKING, Generic, ParamSpec, TypeVar
 
 if TYPE_CHECKING:
@@ -39,9 +39,9 @@ class Threads(Generic[Result]):
     """
 
     def __init__(self, jobs: int) -> None:
-        self._stop, self._process, self._workers = Event(), os.getpid(), set[int]()
+        self._stop, self._process, self._workers = Event(), os.getpid(), set[Thread]()
         self._executor = ThreadPoolExecutor(
-            jobs, "divbandit", lambda: self._workers.add(get_ident())
+            jobs, "divbandit", lambda: self._workers.add(current_thread())
         )
         self._done: SimpleQueue[Future[Result]] = SimpleQueue()
         self._pending = 0
@@ -82,5 +82,9 @@ class Threads(Generic[Result]):
 
     def __exit__(self, *_: object) -> None:
         self._stop.set()
+        # The executor itself would not wait for a thread whose start Ctrl-C interrupted.
+        self._executor.shutdown(wait=False, cancel_futures=True)
         # An iterator may be dropped in any thread, even in one of these.
-        self._executor.shutdown(wait=get_ident() not in self._workers, cancel_futures=True)
+        if current_thread() not in self._workers:
+            for worker in tuple(self._workers):
+                worker.join()

@@ -7,24 +7,26 @@ that their effects cover (Benureau and Oudeyer, ICDL-EpiRob 2015).
 The names follow the data: environment -> strategy -> effect -> gain -> bandit -> exploration ->
 experiment -> figure.
 
-- The black box: `Environment` is what it must offer; `PlanarArm` is the paper's,
-  `FunctionEnvironment` makes one of a function, `Box` is a space of commands, effects or goals.
-  More in `environments` (obstacles, pushing, Gymnasium, MuJoCo, processes) and `controllers`
-  (commands as movements).
-- The strategies: `MotorBabbling`, `GoalBabbling`, and fixed combinations of others, `Mixture` and
-  `Schedule`. `goals` has other ways to draw goals, `inverse` other inverse models. User-defined
-  ones derive from `Strategy`, or from `Composite`; a `Trial` is what they may propose.
-- The bandits, strategies too: `Adapt` is the paper's, `default_strategy` the library's own
-  composition, `Bandit` is made of a reward, an estimator and a policy from `bandits`, which also
-  has UCB1 and others by name.
-- The measures of diversity: `coverage` is the volume of a union of balls, `Coverage` grows effect
-  by effect; grids, entropy and others are in `measures`. `NearestNeighbors` is a search tree that
-  grows.
-- The exploration: `explore` runs it and returns an `Exploration`; an `Explorer` is asked for trials
-  and told their effects; the `History` is what strategies see.
-- The experiments: `explore_many` runs many at once; `experiments` has tasks and summaries of them.
-  `plot` draws; it needs matplotlib.
-- Parts of other libraries, pyribs, Optuna, MABWiser, SciPy and Gymnasium, are in `adapters`.
+- The black box: `Environment` is what it must offer; `PlanarArm` is the paper's, and
+  ``FunctionEnvironment(f, motor_space, sensory_space)`` wraps a function. A `Box` is a space of
+  commands, effects or goals. More in `environments`: obstacles, pushing, Gymnasium, MuJoCo,
+  external programs; `controllers` turn commands into trajectories.
+- The strategies: `MotorBabbling` and `GoalBabbling`, which takes goal samplers from `goals` and
+  inverse models from `inverse`; `Mixture` and `Schedule` combine others in fixed ways. Derive a
+  new one from `Strategy` and write ``propose(history, rng)``; it returns a command, or a `Trial`
+  with its goal. One made of others derives from `Composite` and writes ``choose``.
+- The bandits are strategies, too: start with `default_strategy`. `Adapt` is the paper's; `Bandit`
+  combines a reward, an estimator and a policy from `bandits`, which also has UCB1 and others.
+- The measures of diversity: `coverage` is the area or volume covered by a set of effects, `Coverage`
+  grows effect by effect; grids, entropy and others are in `measures`. `NearestNeighbors` is a
+  search tree that grows.
+- The exploration: `explore` runs it and returns an `Exploration`. For a robot, or anything else that
+  cannot be called, an `Explorer` gives out trials, ``ask()``, and learns their effects, ``tell()``.
+  The `History` of commands and effects is what strategies see.
+- The experiments: `explore_many` runs many explorations, such as one for each of 25 seeds, in
+  parallel; `experiments` has the task that it repeats, and summaries. `plot` draws; it needs
+  matplotlib.
+- Parts of other libraries - pyribs, Optuna, MABWiser, SciPy, Gymnasium - are in `adapters`.
 
 Examples
 --------

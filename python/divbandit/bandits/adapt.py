@@ -7,9 +7,12 @@ ADAPT(w, tau, alpha) (Benureau and Oudeyer, ICDL-EpiRob 2015), at each step:
 2. *Try.* The strategy proposes a motor command x; the environment answers with an effect y = f(x).
 3. *Reward.* The gain of the effect is div_tau(y, E) = C_tau(E + y) - C_tau(E): the area by which
    its disc of radius tau enlarges the union of the discs around all effects E observed before,
-   whichever strategy produced them.
-4. *Remember.* The diversity of the strategy is the mean gain of the last w effects that it
-   produced. A head start of k fictitious gains of a whole disc comes first, so that all are tried.
+   whichever strategy produced them. A trial that fails has no effect, and gains 0.
+4. *Remember.* The diversity of a strategy is the mean of its last w gains, or of all while there are
+   fewer. A head start of k fictitious gains, each of a whole disc, comes first in its window, so
+   that it is likely to be tried; they count until w real gains have followed.
+
+In the paper w = 50, alpha = 0.1, k = 1 and tau = 0.02.
 """
 
 from __future__ import annotations
@@ -70,9 +73,9 @@ class Adapt(RewardedValue):
     alpha : float
         Share of choices made uniformly at random, in [0, 1].
     head_start : int
-        How many fictitious gains of a whole disc, or of the largest reward, come first in each
-        window, from 0 to `window`. With 0 all strategies begin with diversity 0 and are chosen
-        uniformly until one gains.
+        How many fictitious gains come first in each window, from 0 to `window`: each of a whole
+        disc, or of what no reward exceeds (0 for a reward without a bound, as a function is). With
+        0 all strategies begin with diversity 0 and are chosen uniformly until one gains.
     power : float
         Not negative. Strategies are chosen in proportion to this power of their diversity; 1 is the
         paper's.
@@ -145,7 +148,7 @@ class _Adapting(RunningBandit):
         self._alpha, self._power = adapt.alpha, adapt.power
 
     def choose(self, history: History, rng: Generator) -> int:
-        """Return the strategy that is to propose next: two ``rng.random()``."""
+        """Choose the strategy that is to propose next; always two draws, ``rng.random()``."""
         del history
         diversities = self.estimator.means
         uniformly, u = rng.random() < self._alpha, rng.random()
@@ -154,7 +157,7 @@ class _Adapting(RunningBandit):
         return proportionally(powers(diversities, self._power), u)
 
     def observe(self, trial: Trial, effect: NDArray[np.float64]) -> None:
-        """Reward the strategy that proposed the trial with the gain of its effect."""
+        """Remember the gain of a strategy's effect, which the history holds by now."""
         gain = self.reward_of(trial, effect)
         self.strategies[trial.path[0]].observe(trial.inner, effect)  # type: ignore[arg-type]
         self.estimator.add(trial.path[0], gain)

@@ -8,21 +8,22 @@ The names follow the data: environment -> strategy -> effect -> gain -> bandit -
 experiment -> figure.
 
 - The black box: `Environment` is what it must offer; `PlanarArm` is the paper's,
-  `FunctionEnvironment` wraps a function and its spaces. A `Box` is a space of commands, effects or
-  goals. More in `environments`: obstacles, pushing, Gymnasium, MuJoCo,
-  external programs; `controllers` turn commands into trajectories.
+  `FunctionEnvironment` wraps a function and its spaces. A `Box` is a space of commands, effects
+  or goals. More in `environments`: obstacles, pushing, Gymnasium, MuJoCo, external programs;
+  `controllers` turn commands into trajectories.
 - The strategies: `MotorBabbling` and `GoalBabbling`, which takes goal samplers from `goals` and
   inverse models from `inverse`; `Mixture` and `Schedule` combine others in fixed ways. Derive a
-  new one from `Strategy` and write ``propose(history, rng)``; it returns a command, or a `Trial`
-  with its goal. One made of others derives from `Composite` and writes ``choose``.
-- The bandits are strategies, too: start with `default_strategy`. `Adapt` is the paper's; `Bandit`
-  combines a reward, an estimator and a policy from `bandits`, which also has UCB1 and others.
+  new one from `Strategy` and write ``propose(history, rng)``; it returns a command, or a
+  `Trial` with its goal. One made of others derives from `Composite` and writes ``choose``.
+- The bandits are strategies, too: start with `default_strategy`. `Adapt` is the paper's;
+  `Bandit` combines a reward, an estimator and a policy from `bandits`, which also has UCB1 and
+  others.
 - The measures of diversity: `coverage` is the area or volume that a set of effects covers,
-  `Coverage` grows effect by effect; grids, entropy and others are in `measures`. `NearestNeighbors` is a
-  search tree that grows.
+  `Coverage` grows effect by effect; grids, entropy and others are in `measures`.
+  `NearestNeighbors` is a search tree that grows.
 - The exploration: `explore` runs it and returns an `Exploration`. For a robot, or anything else
-  that cannot be called, an `Explorer` gives out trials, ``ask()``, and learns their effects, ``tell()``.
-  The `History` of commands and effects is what strategies see.
+  that cannot be called, an `Explorer` gives out trials, ``ask()``, and learns their effects,
+  ``tell()``. The `History` of commands and effects is what strategies see.
 - The experiments: `explore_many` runs many explorations, such as one for each of 25 seeds, in
   parallel; `experiments` has the task that it repeats, and summaries. `plot` draws; it needs
   matplotlib.

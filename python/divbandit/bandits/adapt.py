@@ -8,9 +8,9 @@ ADAPT(w, tau, alpha) (Benureau and Oudeyer, ICDL-EpiRob 2015), at each step:
 3. *Reward.* The gain of the effect is div_tau(y, E) = C_tau(E + y) - C_tau(E): the area by which
    its disc of radius tau enlarges the union of the discs around all effects E observed before,
    whichever strategy produced them. A trial that fails has no effect, and gains 0.
-4. *Remember.* The diversity of a strategy is the mean of its last w gains, or of all while there
-   are fewer. A head start of k fictitious gains, each of a whole disc, comes first in its window, so
-   that it is likely to be tried; they count until w real gains have followed.
+4. *Remember.* The diversity of a strategy is the mean of its last w gains, or of all while
+   there are fewer. A head start of k fictitious gains, each of a whole disc, comes first in its
+   window, so that it is likely to be tried; they count until w real gains have followed.
 
 In the paper w = 50, alpha = 0.1, k = 1 and tau = 0.02.
 """

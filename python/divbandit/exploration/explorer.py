@@ -358,7 +358,7 @@ class Explorer:
         """
         log = self.history._log  # noqa: SLF001 - the explorer writes it
         points, dim = log.checked(commands, effects)
-        if len(points[0]) == 0:  # nothing happened, and no dimension is told
+        if len(points[0]) == 0:  # nothing happened, and no dimension is known
             return
         if not self._dim_is_checked and dim is not None:
             self._check_dim(dim)

@@ -135,3 +135,23 @@ def test_a_choice_that_is_no_index_is_refused(choice):
     explorer = db.Explorer(Wrong([Zero(), Zero()]), ARM.motor_space, rng=0)
     with pytest.raises((TypeError, ValueError), match=r"choose|choice|index|indices"):
         explorer.ask()
+
+
+@pytest.mark.parametrize("base", [db.GoalBabbling, db.Mixture, db.Schedule, db.Adapt, db.Bandit])
+def test_a_class_cannot_change_how_a_value_of_the_library_proposes(base):
+    with pytest.raises(TypeError, match=r"Mine must derive from Strategy .* its propose would not"):
+        type("Mine", (base,), {"propose": lambda *_: [0.5], "__module__": "mine"})
+
+
+def test_a_class_derived_from_motor_babbling_is_copied():
+    class Counting(db.MotorBabbling):
+        asked = 0
+
+        def propose(self, history, rng):
+            self.asked += 1
+            return super().propose(history, rng)
+
+    counting = Counting()
+    explorer = db.Explorer(counting, db.Box([0], [1]), rng=0)
+    explorer.ask(3)
+    assert (counting.asked, explorer.strategy.asked) == (0, 3)

@@ -167,9 +167,25 @@ class Strategy(ABC):
 
 
 class StrategyValue(Value, Strategy):
-    """A strategy of the library: an immutable value, whose running state `start` returns."""
+    """A strategy of the library: an immutable value, whose running state `start` returns.
+
+    As it is not the value that runs, a user's class that derives from one cannot change how it
+    proposes or observes: that is refused.
+    """
 
     __repr__ = Value.__repr__
+
+    def __init_subclass__(cls, **options: Any) -> None:  # noqa: ANN401 - as any class
+        super().__init_subclass__(**options)
+        is_ours = cls.__module__.startswith(__name__.partition(".")[0] + ".")
+        starter = next(base for base in cls.__mro__ if "start" in vars(base))
+        runs_itself = "propose" in vars(starter)  # as what has no state does
+        changed = {"propose", "observe", "fail", "choose"} & set(vars(cls))
+        if changed and not (is_ours or runs_itself):
+            raise TypeError(
+                f"{cls.__name__} must derive from Strategy or Composite: "
+                f"its {min(changed)} would not be called"
+            )
 
     def propose(self, history: History, rng: Generator) -> Trial:
         """Propose as a newly started strategy would.

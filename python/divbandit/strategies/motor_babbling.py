@@ -27,9 +27,8 @@ class MotorBabbling(StrategyValue):
     """
 
     def start(self, start: Starter) -> MotorBabbling:
-        """Return itself: it keeps no state."""
-        del start
-        return self
+        """Return itself, which keeps no state; of a class that derives from it, a copy."""
+        return self if type(self) is MotorBabbling else start.copy_of(self)
 
     def propose(self, history: History, rng: Generator) -> Trial:
         """Draw a command: one ``rng.random()`` a coordinate."""

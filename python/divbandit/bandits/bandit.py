@@ -171,11 +171,13 @@ def tau_or_reward(tau: float | None, reward: Any) -> tuple[float | None, Reward 
             raise ValueError("tau must be given, or reward: what strategies are rewarded for")
         return BallCoverage(tau).tau, None
     if tau is not None:
-        raise ValueError(f"tau must not be given together with a reward, got {tau!r}")
+        raise ValueError(
+            f"tau must not be given together with a reward, got {tau!r}: write tau=None"
+        )
     if callable(reward) and not isinstance(reward, (type, Reward)):
         return None, FunctionReward(reward)
     return None, part_of(
-        "reward", reward, Reward, "CompetenceProgress() or a function of effect and history"
+        "reward", reward, Reward, "Gain(measure) or a function of effect and history"
     )
 
 
@@ -183,7 +185,8 @@ def part_of(name: str, value: Any, kind: type, example: str) -> Any:  # noqa: AN
     """Return a part of a bandit that has the members of a protocol, or say what is wrong."""
     if isinstance(value, type) or not isinstance(value, kind):
         got = f"the class {value.__name__}" if isinstance(value, type) else type(value).__name__
-        raise TypeError(f"{name} must be a {kind.__name__}, such as {example}, got {got}")
+        article = "an" if kind.__name__.startswith("E") else "a"
+        raise TypeError(f"{name} must be {article} {kind.__name__}, such as {example}, got {got}")
     return value
 
 

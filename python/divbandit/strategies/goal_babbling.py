@@ -91,7 +91,9 @@ class GoalBabbling(StrategyValue):
                 f"got {_kind(inverse)}"
             )
         elif d is not None:
-            raise ValueError(f"d must not be given together with an inverse model, got {d!r}")
+            raise ValueError(
+                f"d must not be given together with an inverse model, got {d!r}: write d=None"
+            )
         self._set(d=d, goals=sampler, inverse=inverse)
 
     @property

@@ -6,13 +6,14 @@ import json
 import os
 import secrets
 import zipfile
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeVar, cast
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from numpy.typing import NDArray
 
@@ -22,17 +23,22 @@ if TYPE_CHECKING:
 Built = TypeVar("Built")
 
 
-def write(
-    path: PathLike, kind: str, version: int, arrays: Arrays, *, compress: bool = True
-) -> None:
+def write(path: PathLike, kind: str, version: int, arrays: Arrays) -> None:
     """Write arrays to a file, replacing it whole or not at all."""
     # The names come first, so that nothing can go missing unnoticed.
     arrays = {"format": np.array([kind, str(version), *arrays]), **arrays}
+    with replacing(path) as file:
+        np.savez_compressed(file, **cast("Any", arrays))
+
+
+@contextmanager
+def replacing(path: PathLike) -> Iterator[BinaryIO]:
+    """Open a file that replaces another when it is complete."""
     target = Path(path).resolve()  # what a link points to, not the link
     temporary = target.with_name(f".{secrets.token_hex(8)}.tmp")
     try:
         with temporary.open("xb") as file:
-            (np.savez_compressed if compress else np.savez)(file, **cast("Any", arrays))
+            yield file
         temporary.replace(target)
     except OSError as error:
         error.filename = os.fspath(path)

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from divbandit.exploration import Exploration
+
 
 class Failure(NamedTuple):
     """A failed evaluation: the budget is spent, and there is no effect.
@@ -82,8 +84,8 @@ class History:
         self.sensory_space = (
             None if sensory_space is None else Box.of(sensory_space, name="sensory_space")
         )
-        self._is_explorers = False
-        self._failures: list[Failure] = []
+        #: That of the explorer whose history this is.
+        self._journal: _core.Journal | None = None
         goals = self.sensory_space
         self._log = _core.History(self.motor_space.bounds, None if goals is None else goals.bounds)
         # Copies of the log in NumPy's memory, as far as it has been read.
@@ -124,7 +126,9 @@ class History:
     @property
     def failures(self) -> tuple[Failure, ...]:
         """The failed evaluations, in order; `commands` and `effects` do not include them."""
-        return tuple(self._failures)
+        if self._journal is None:
+            return ()
+        return tuple(Failure(*failed) for _, *failed in self._journal.failures(0))
 
     @property
     def effect_dim(self) -> int | None:
@@ -157,7 +161,7 @@ class History:
             ...
         ValueError: effect must have shape (1,), got (2,)
         """
-        if self._is_explorers:
+        if self._journal is not None:
             raise ValueError(
                 "history must be written by its explorer: "
                 "use explorer.tell, or explorer.add_past for earlier evaluations"
@@ -208,7 +212,24 @@ class History:
         return self._log.nearest(goal, k)
 
     def __repr__(self) -> str:
-        return f"<History of {len(self)} evaluations, {self.motor_space.dim} -> {self.effect_dim}>"
+        return f"<History of {counted(self)}, {self.motor_space.dim} -> {self.effect_dim}>"
+
+
+def counted(log: History | Exploration) -> str:
+    """Return how many evaluations there are, and how many of them failed.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> explorer = db.Explorer(db.MotorBabbling(), db.Box([0], [1]), rng=0)
+    >>> explorer.fail(explorer.ask(), "the robot fell over")
+    >>> counted(explorer.history)
+    '1 evaluation, 1 of them failed'
+    """
+    failed = len(log.failures)
+    n = len(log) + failed
+    text = f"{n} evaluation{'' if n == 1 else 's'}"
+    return f"{text}, {failed} of them failed" if failed else text
 
 
 def _extended(rows: NDArray[np.float64], new: NDArray[np.float64], n: int) -> NDArray[np.float64]:

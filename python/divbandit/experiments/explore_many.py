@@ -10,8 +10,8 @@ from divbandit._checks import whole
 from divbandit.experiments import seeds
 from divbandit.experiments.cores import available_cores
 from divbandit.experiments.task import Task
-from divbandit.experiments.threads import Threads
-from divbandit.exploration.explore import explore_between
+from divbandit.experiments.threads import Check, Threads
+from divbandit.exploration.explore import explore
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -142,14 +142,14 @@ def _explorations(
 ) -> Generator[tuple[int, object], None, None]:
     def explored(place: int, task: Task) -> tuple[int, object]:
         try:
-            run = explore_between(
+            run = explore(
                 task.environment,
                 task.strategy,
                 task.n,
-                seeds.child(parent, place) if task.rng is None else task.rng,
-                task.engine,
+                rng=seeds.child(parent, place) if task.rng is None else task.rng,
+                engine=task.engine,
                 keep_commands=task.keep_commands,
-                between=threads.check,
+                callbacks=[Check(threads)],
             )
             return place, run if keep is None else keep(run)
         except BaseException as error:

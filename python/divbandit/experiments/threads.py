@@ -8,12 +8,15 @@ from concurrent.futures import thread as executors
 from contextlib import suppress
 from queue import Empty, SimpleQueue
 from threading import Event, Thread, current_thread
-from typing import TYPE_CHECKING, Generic, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from typing_extensions import Self
+
+    from divbandit._core import Trial
+    from divbandit.exploration import Explorer
 
 Result = TypeVar("Result")
 Arguments = ParamSpec("Arguments")
@@ -88,3 +91,16 @@ class Threads(Generic[Result]):
         if current_thread() not in self._workers:
             for worker in tuple(self._workers):
                 worker.join()
+
+
+class Check:
+    """A callback that ends an exploration when all is to end."""
+
+    every = "50ms"
+
+    def __init__(self, threads: Threads[Any]) -> None:
+        self._check = threads.check
+
+    def __call__(self, explorer: Explorer, trial: Trial) -> None:
+        del explorer, trial
+        self._check()

@@ -1,24 +1,26 @@
 """Drivers: what lets a strategy propose and learn - in Python, or in the engine.
 
 Both do the same, draw for draw and bit for bit. The engine, in Rust, takes compositions of the
-library's own strategies; the driver in Python takes any.
+library's own strategies; the driver in Python takes any. Each call of a driver changes the
+strategy, the history and the journal together: a Ctrl-C is heard before or after it.
 """
 
 from __future__ import annotations
 
+from time import monotonic
 from typing import TYPE_CHECKING, Protocol
 
-from divbandit._core import Engine, NotBuiltInError, Trial
+from divbandit._core import Engine, NotBuiltInError, Trial, as_point, interruptible, undisturbed
 from divbandit.strategies.base import Starter, Strategy
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Literal
 
     import numpy as np
     from numpy.random import Generator
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
+    from divbandit._core import Journal
     from divbandit.environments import Environment
     from divbandit.history import History
 
@@ -29,9 +31,20 @@ ENGINES = ("auto", "python", "rust")
 
 
 class Driver(Protocol):
-    """Lets a strategy propose and learn."""
+    """Lets a strategy propose and learn.
+
+    Attributes
+    ----------
+    strategy : Strategy
+        As it runs.
+    newest : Trial or None
+        The trial that `run` evaluated last.
+    """
 
     strategy: Strategy
+
+    @property
+    def newest(self) -> Trial | None: ...
 
     @property
     def needs_commands(self) -> bool:
@@ -41,45 +54,72 @@ class Driver(Protocol):
     def estimates(self) -> tuple[float, ...] | None:
         """A bandit's estimates of its strategies."""
 
-    def ask(self, number: int, rng: Generator) -> Trial:
-        """Return the next trial, which is to have this number."""
+    def ask(self) -> Trial:
+        """Return the next trial."""
 
-    def tell(self, trial: Trial, command: NDArray[np.float64], effect: NDArray[np.float64]) -> None:
-        """Record the effect of a trial, and let the strategy learn from it."""
+    def tell(self, trial: Trial, effect: ArrayLike) -> None:
+        """Record the effect of a pending trial, and let the strategy learn from it."""
 
     def fail(self, trial: Trial, reason: str) -> None:
-        """Let the strategy learn that a trial failed."""
+        """Let the strategy learn that a pending trial failed."""
+
+    def run(self, environment: Environment, n: int, seconds: float) -> None:
+        """Explore for 1 to `n` evaluations, and at most about so many seconds.
+
+        A trial whose evaluation raises stays pending.
+        """
+
+    def repeat(self, commands: NDArray[np.float64], effects: NDArray[np.float64]) -> int:
+        """Propose and learn as before; return how many commands came out the same."""
 
 
-def driver_of(strategy: Strategy, history: History, engine: str) -> Driver:
+def driver_of(
+    strategy: Strategy, history: History, journal: Journal, rng: Generator, engine: str
+) -> Driver:
     """Return the driver of a strategy: the engine, if it is wanted and possible.
 
     Examples
     --------
+    >>> import numpy as np
     >>> import divbandit as db
-    >>> history = db.History(db.Box([0], [1]))
-    >>> type(driver_of(db.MotorBabbling(), history, "auto")).__name__
+    >>> history, journal = db.History(db.Box([0], [1])), db._core.Journal()
+    >>> rng = np.random.default_rng(0)
+    >>> type(driver_of(db.MotorBabbling(), history, journal, rng, "auto")).__name__
     'RustDriver'
     """
     if engine != "python":
         try:
-            return RustDriver(strategy, history)
+            return RustDriver(strategy, history, journal, rng)
         except NotBuiltInError as error:
             if engine == "rust":
                 where, kind = error.args
                 raise ValueError(
                     f'engine "rust" must be given parts of the library only, got {where}, a {kind}'
                 ) from None
-    return PythonDriver(strategy, history)
+    return PythonDriver(strategy, history, journal, rng)
+
+
+def check_dim(strategy: Strategy, history: History, dim: int) -> None:
+    """Let the strategy check the dimension of the first effect."""
+    if history.effect_dim is None:
+        strategy.check(history.motor_space, dim, has_goals=False)
 
 
 class RustDriver:
     """The engine: all strategies run in Rust."""
 
-    def __init__(self, strategy: Strategy, history: History) -> None:
+    def __init__(
+        self, strategy: Strategy, history: History, journal: Journal, rng: Generator
+    ) -> None:
         self.strategy = strategy
+        self._history, self._journal, self._rng = history, journal, rng
         self._log = history._log  # noqa: SLF001 - shared with the engine
         self._engine = Engine(strategy, self._log)
+
+    @property
+    def newest(self) -> Trial | None:
+        """The trial that was evaluated last by `run`."""
+        return self._engine.newest(self._journal)
 
     @property
     def estimates(self) -> tuple[float, ...] | None:
@@ -91,44 +131,33 @@ class RustDriver:
         """Whether a strategy may look at the commands of the history."""
         return self._engine.needs_commands
 
-    @property
-    def refused(self) -> bool:
-        """Whether the newest effect was recorded, but could not be rewarded."""
-        return self._engine.refused
-
-    @property
-    def asked(self) -> int:
-        """How many trials were asked for."""
-        return self._engine.asked
-
-    def ask(self, number: int, rng: Generator) -> Trial:
+    def ask(self) -> Trial:
         """Return the next trial."""
-        del number  # the engine counts them too
-        return self._engine.ask(self._log, rng)
+        return self._engine.ask(self._log, self._journal, self._rng)
 
-    def under_way(self, number: int) -> Trial:
-        """Return a trial that `run` asked for, and whose evaluation it did not finish."""
-        return self._engine.proposed(number)
-
-    def tell(self, trial: Trial, command: NDArray[np.float64], effect: NDArray[np.float64]) -> None:
+    def tell(self, trial: Trial, effect: ArrayLike) -> None:
         """Record the effect of a trial, and let the strategy learn from it."""
-        del command
-        self._engine.tell(trial.number, self._log, effect)  # type: ignore[arg-type] # given out
+        if self._log.effect_dim is None:
+            effect = as_point("effect", effect)
+            check_dim(self.strategy, self._history, len(effect))
+        self._engine.tell(trial, effect, self._log, self._journal)
 
     def fail(self, trial: Trial, reason: str) -> None:
         """Let the strategy learn that a trial failed."""
-        del reason
-        self._engine.fail(trial.number)  # type: ignore[arg-type] # given out
+        self._engine.fail(trial, reason, self._log, self._journal)
 
-    def run(
-        self,
-        environment: Environment,
-        n: int,
-        rng: Generator,
-        between: Callable[[], object] | None,
-    ) -> None:
-        """Explore for `n` evaluations."""
-        self._engine.run(environment, self._log, n, rng, between)
+    def run(self, environment: Environment, n: int, seconds: float) -> None:
+        """Explore for 1 to `n` evaluations, and at most about so many seconds."""
+        if self._log.effect_dim is None:  # the first effect tells its dimension
+            trial = self.ask()
+            self.tell(trial, environment(trial.command))
+            n -= 1
+        if n > 0:
+            self._engine.run(environment, n, seconds, self._log, self._journal, self._rng)
+
+    def repeat(self, commands: NDArray[np.float64], effects: NDArray[np.float64]) -> int:
+        """Propose and learn as before; return how many commands came out the same."""
+        return self._engine.repeat(commands, effects, self._log, self._journal, self._rng)
 
 
 class PythonDriver:
@@ -136,9 +165,14 @@ class PythonDriver:
 
     needs_commands = True
 
-    def __init__(self, strategy: Strategy, history: History) -> None:
-        self._history, self._log = history, history._log  # noqa: SLF001 - written here
+    def __init__(
+        self, strategy: Strategy, history: History, journal: Journal, rng: Generator
+    ) -> None:
+        self._given = strategy
+        self._history, self._journal, self._rng = history, journal, rng
+        self._log = history._log  # noqa: SLF001 - written here
         self.strategy = Starter(history)(strategy)
+        self.newest: Trial | None = None
         # The bandit's estimates when it proposed the pending trials, by number.
         self._believed: dict[int, tuple[float, ...] | None] = {}
 
@@ -147,11 +181,20 @@ class PythonDriver:
         """A bandit's estimates of its strategies."""
         return self.strategy.estimates
 
-    def ask(self, number: int, rng: Generator) -> Trial:
+    def ask(self) -> Trial:
         """Return the next trial; its `inner` one is what the strategy proposed."""
-        proposed = Trial.of(self.strategy.propose(self._history, rng))
-        trial = proposed.given_out(self._checked(proposed), number)
-        self._believed[number] = self.strategy.estimates
+        return undisturbed(self._ask)
+
+    def _ask(self) -> Trial:
+        try:
+            proposed = Trial.of(self.strategy.propose(self._history, self._rng))
+            number = self._journal.asked
+            trial = proposed.given_out(self._checked(proposed), number)
+            self._believed[number] = self.strategy.estimates
+        except BaseException:
+            self._journal.refused()
+            raise
+        self._journal.give_out(trial)
         return trial
 
     def _checked(self, proposed: Trial) -> NDArray[np.float64]:
@@ -159,15 +202,57 @@ class PythonDriver:
         try:
             return self._history.motor_space.bounds.command(proposed.command)
         except (TypeError, ValueError) as error:
-            who = f"proposed by {self.strategy!r}, path {proposed.path}"
+            who = f"proposed by {self._given!r}, path {proposed.path}"
             raise type(error)(f"{error} ({who})") from None
 
-    def tell(self, trial: Trial, command: NDArray[np.float64], effect: NDArray[np.float64]) -> None:
+    def tell(self, trial: Trial, effect: ArrayLike) -> None:
         """Record the effect of a trial, and let the strategy learn from it."""
-        self._log.record(command, effect, trial.path, self._believed.pop(trial.number))  # type: ignore[arg-type]
-        self.strategy.observe(trial.inner, effect)  # type: ignore[arg-type]
+        self._journal.find(trial)
+        point = as_point("effect", effect, self._log.effect_dim)
+        check_dim(self._given, self._history, len(point))
+        undisturbed(self._tell, trial, point)
+
+    def _tell(self, trial: Trial, effect: NDArray[np.float64]) -> None:
+        number: int = trial.number  # type: ignore[assignment] # given out
+        self._log.record(trial.command, effect, trial.path, self._believed[number])
+        del self._believed[number]
+        self._journal.told(trial)
+        try:
+            self.strategy.observe(trial.inner, effect)  # type: ignore[arg-type] # given out
+        except BaseException:
+            self._journal.raised()
+            raise
 
     def fail(self, trial: Trial, reason: str) -> None:
         """Let the strategy learn that a trial failed."""
-        del self._believed[trial.number]  # type: ignore[arg-type]
-        self.strategy.fail(trial.inner, reason)  # type: ignore[arg-type]
+        undisturbed(self._fail, trial, reason)
+
+    def _fail(self, trial: Trial, reason: str) -> None:
+        self._journal.failed(trial, reason, len(self._log))
+        del self._believed[trial.number]  # type: ignore[arg-type] # given out
+        try:
+            self.strategy.fail(trial.inner, reason)  # type: ignore[arg-type] # given out
+        except BaseException:
+            self._journal.raised()
+            raise
+
+    def run(self, environment: Environment, n: int, seconds: float) -> None:
+        """Explore for 1 to `n` evaluations, and at most about so many seconds."""
+        interruptible(self._run, environment, n, seconds)
+
+    def _run(self, environment: Environment, n: int, seconds: float) -> None:
+        end = monotonic() + seconds
+        for _ in range(n):
+            trial = self.newest = self.ask()
+            self.tell(trial, environment(trial.command))
+            if monotonic() >= end:
+                break
+
+    def repeat(self, commands: NDArray[np.float64], effects: NDArray[np.float64]) -> int:
+        """Propose and learn as before; return how many commands came out the same."""
+        for row, (command, effect) in enumerate(zip(commands, effects, strict=True)):
+            trial = self.ask()
+            if trial.command.tobytes() != command.tobytes():
+                return row
+            self.tell(trial, effect)
+        return len(commands)

@@ -6,27 +6,32 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, overload
 
 from divbandit._checks import generator, one_of, truth, whole
-from divbandit._core import Trial, as_point
-from divbandit.exploration import saved
-from divbandit.exploration.drivers import ENGINES, RustDriver, driver_of
-from divbandit.exploration.journal import Event, Journal
+from divbandit._core import Journal, Trial, as_point, undisturbed
+from divbandit.exploration import running, saved
+from divbandit.exploration.drivers import ENGINES, check_dim, driver_of
 from divbandit.exploration.result import Exploration
-from divbandit.history import Failure, History
+from divbandit.exploration.running import Options
+from divbandit.history import History, counted
 from divbandit.strategies.base import Strategy
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable
+    from collections.abc import Iterable
+    from concurrent.futures import Executor
 
     import numpy as np
+    from numpy.random import Generator
     from numpy.typing import ArrayLike, NDArray
 
     from divbandit._checks import Rng
     from divbandit.box import BoxLike
+    from divbandit.callbacks import Callback
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
+    from divbandit.exploration.running import OnError
+    from divbandit.exploration.watching import Every
 
-_NOT_MINE = "trial must be pending: asked for by this explorer, not told and not failed"
+    Past = Exploration | tuple[ArrayLike, ArrayLike]
 
 
 class Explorer:
@@ -46,17 +51,17 @@ class Explorer:
         A box in S to draw goals from.
     rng : None, int, SeedSequence or Generator
         All randomness comes from it; a Generator is drawn from, not copied.
-    past : Exploration, optional
-        An earlier run, whose commands and effects are added as `add_past` does.
+    past : Exploration, or (commands, effects), optional
+        Earlier evaluations, which are added as `add_past` does.
     engine : {"auto", "python", "rust"}
         Where strategies run, as in `explore`.
+    keep_commands : bool
+        False discards commands if no strategy needs them; the explorer cannot be saved then.
 
     Attributes
     ----------
     history : History
         All that was told so far.
-    rng : numpy.random.Generator
-        The source of all randomness.
 
     Raises
     ------
@@ -82,62 +87,34 @@ class Explorer:
         sensory_space: BoxLike | None = None,
         *,
         rng: Rng = None,
-        past: Exploration | None = None,
+        past: Past | None = None,
         engine: EngineName = "auto",
-    ) -> None:
-        self._prepare(strategy, motor_space, sensory_space, rng, engine)
-        if past is not None:
-            if not isinstance(past, Exploration):
-                raise TypeError(f"past must be an Exploration, got {type(past).__name__}")
-            self.add_past(past.commands, past.effects)
-
-    @classmethod
-    def for_run(
-        cls,
-        strategy: Strategy,
-        motor_space: BoxLike,
-        sensory_space: BoxLike | None,
-        *,
-        rng: Rng,
-        engine: EngineName,
-        keep_commands: bool,
-    ) -> Explorer:
-        """Return an explorer that may discard commands if no strategy needs them."""
-        explorer = cls.__new__(cls)
-        explorer._prepare(  # noqa: SLF001 - a constructor
-            strategy, motor_space, sensory_space, rng, engine, keep_commands=keep_commands
-        )
-        return explorer
-
-    def _prepare(
-        self,
-        strategy: Strategy,
-        motor_space: BoxLike,
-        sensory_space: BoxLike | None,
-        rng: Rng,
-        engine: str,
-        *,
         keep_commands: bool = True,
     ) -> None:
         if not isinstance(strategy, Strategy):
             raise TypeError(f"strategy must be a Strategy, got {type(strategy).__name__}")
         one_of("engine", engine, ENGINES)
-        history = History(motor_space, sensory_space)
+        truth("keep_commands", keep_commands)
+        history = self.history = History(motor_space, sensory_space)
         strategy.check(
             history.motor_space, history.effect_dim, has_goals=history.sensory_space is not None
         )
-        self.rng = generator(rng)
-        self.history = history
+        self._rng = generator(rng)
         self._given = strategy
-        driver = self._driver = driver_of(strategy, history, engine)
+        self._journal = history._journal = Journal()  # noqa: SLF001 - nothing else writes to it
+        self._began = saved.state_of(self._rng)
+        driver = self._driver = driver_of(strategy, history, self._journal, self._rng, engine)
         kept = keep_commands or driver.needs_commands
         history._log.begin(kept, len(driver.estimates or ()))  # noqa: SLF001 - the explorer's
-        history._is_explorers = True  # noqa: SLF001 - nothing else writes to it
-        self._journal = Journal(self.rng)
-        self._asked = 0
-        #: The trials under way and the commands they were given out with, by number.
-        self._open: dict[int, tuple[Trial, NDArray[np.float64]]] = {}
-        self._dim_is_checked = history.effect_dim is not None
+        #: The checkpoint that is being written.
+        self._growing: saved.Growing | None = None
+        if past is not None:
+            self.add_past(*_commands_and_effects(past))
+
+    @property
+    def rng(self) -> Generator:
+        """The source of all randomness."""
+        return self._rng
 
     @property
     def strategy(self) -> Strategy:
@@ -152,7 +129,12 @@ class Explorer:
     @property
     def open_trials(self) -> tuple[Trial, ...]:
         """The trials that are under way, in the order in which they were given out."""
-        return tuple(trial for trial, _ in self._open.values())
+        return tuple(self._journal.open)
+
+    @property
+    def evaluations(self) -> int:
+        """How many trials were told or have failed: those of the past are not counted."""
+        return self._journal.asked - len(self._journal.open)
 
     @overload
     def ask(self) -> Trial: ...
@@ -189,19 +171,7 @@ class Explorer:
         """
         if n is not None:
             return [self.ask() for _ in range(whole("n", n, low=1))]
-        try:
-            trial = self._driver.ask(self._asked, self.rng)
-        except BaseException as error:
-            self._journal.note(Event.ASK, 0, raised=error)
-            raise
-        self._journal.note(Event.ASK, 0)
-        return self._give_out(trial)
-
-    def _give_out(self, trial: Trial) -> Trial:
-        """Note that a trial is under way."""
-        self._open[self._asked] = (trial, trial.command)
-        self._asked += 1
-        return trial
+        return self._driver.ask()
 
     @overload
     def tell(self, trial: Trial, effect: ArrayLike) -> None: ...
@@ -237,45 +207,17 @@ class Explorer:
             ...
         ValueError: trial must be pending: asked for by this explorer, not told and not failed
         """
-        if not isinstance(trial, Trial):
+        if isinstance(trial, Trial):
+            self._driver.tell(trial, effect)
+        else:
             self._tell_each(trial, effect)
-            return
-        self._find(trial)
-        self._record(trial, as_point("effect", effect, self.history.effect_dim))
-
-    def _record(self, trial: Trial, effect: NDArray[np.float64]) -> None:
-        """Record an effect that is right for a trial that is under way."""
-        if not self._dim_is_checked:
-            self._check_dim(len(effect))
-        number: int = trial.number  # type: ignore[assignment] # given out
-        _, command = self._open.pop(number)
-        try:
-            self._driver.tell(trial, command, effect)
-        except BaseException as error:
-            self._journal.note(Event.TELL, number, raised=error)
-            raise
-        self._journal.note(Event.TELL, number)
-
-    def _find(self, trial: object) -> int:
-        """Return the number of a trial that is under way, or say that it is not."""
-        if not isinstance(trial, Trial):
-            raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
-        number = trial.number
-        if number is None or number not in self._open or self._open[number][0] is not trial:
-            raise ValueError(_NOT_MINE)
-        return number
-
-    def _check_dim(self, dim: int) -> None:
-        """Let the strategy check the dimension of the first effect."""
-        self._given.check(self.history.motor_space, dim, has_goals=False)
-        self._dim_is_checked = True
 
     def _tell_each(self, trials: Sequence[Trial], effects: ArrayLike) -> None:
         """Check many trials and effects, then tell one after the other."""
         if not isinstance(trials, Sequence):
             kind = type(trials).__name__
             raise TypeError(f"trial must be a Trial, or a sequence of them, got {kind}")
-        if len({self._find(trial) for trial in trials}) < len(trials):
+        if len({self._pending(trial) for trial in trials}) < len(trials):
             raise ValueError("trial must hold each trial once")
         try:
             rows = list(effects)  # type: ignore[arg-type]
@@ -289,7 +231,13 @@ class Explorer:
             points.append(as_point(f"effect[{index}]", row, dim))
             dim = len(points[-1])
         for trial, point in zip(trials, points, strict=True):
-            self._record(trial, point)
+            self._driver.tell(trial, point)
+
+    def _pending(self, trial: object) -> int:
+        """Return the number of a trial that is under way, or say that it is not."""
+        if not isinstance(trial, Trial):
+            raise TypeError(f"trial must be a Trial, got {type(trial).__name__}")
+        return self._journal.find(trial)
 
     def fail(self, trial: Trial, reason: str) -> None:
         """Record that the evaluation of a trial failed: the robot fell over.
@@ -322,17 +270,8 @@ class Explorer:
         """
         if not isinstance(reason, str):
             raise TypeError(f"reason must be a string, got {type(reason).__name__}")
-        number = self._find(trial)
-        _, command = self._open.pop(number)
-        failure = Failure(command, reason, trial.path, len(self.history))
-        self.history._failures.append(failure)  # noqa: SLF001 - its log
-        self._journal.failed.append(number)
-        try:
-            self._driver.fail(trial, reason)
-        except BaseException as error:
-            self._journal.note(Event.FAIL, number, raised=error)
-            raise
-        self._journal.note(Event.FAIL, number)
+        self._pending(trial)
+        self._driver.fail(trial, reason)
 
     def add_past(self, commands: ArrayLike, effects: ArrayLike) -> None:
         """Record evaluations made elsewhere: strategies see them, none is rewarded.
@@ -358,51 +297,127 @@ class Explorer:
         """
         log = self.history._log  # noqa: SLF001 - the explorer writes it
         points, dim = log.checked(commands, effects)
-        if len(points[0]) == 0:  # nothing happened, and no dimension is known
+        if dim is None:  # nothing happened
             return
-        if not self._dim_is_checked and dim is not None:
-            self._check_dim(dim)
-        log.extend(points)
-        self._journal.note(Event.PAST, len(points[0]))
+        check_dim(self._given, self.history, dim)
+        undisturbed(self._extend, points)
 
-    def _run(
-        self, environment: Environment, n: int, between: Callable[[], object] | None = None
-    ) -> None:
-        """Explore an environment for `n` evaluations; what was observed stays, whatever ends it."""
-        driver = self._driver
-        if not isinstance(driver, RustDriver):
-            self._step_by_step(environment, n, between)
-            return
-        if not self._dim_is_checked:  # the first effect tells its dimension
-            self._step_by_step(environment, 1, between)
-            n -= 1
-        known = len(self.history)
-        try:
-            driver.run(environment, n, self.rng, between)
-        finally:
-            made = len(self.history) - known
-            refused = ValueError() if driver.refused else None
-            self._journal.note(Event.RUN, made, raised=refused)
-            self._asked += made
-            if driver.asked > self._asked:  # a trial whose evaluation did not end
-                self._journal.note(Event.ASK, 0)
-                self._give_out(driver.under_way(self._asked))
+    def _extend(self, points: tuple[NDArray[np.float64], NDArray[np.float64]]) -> None:
+        self.history._log.extend(points)  # noqa: SLF001 - the explorer writes it
+        self._journal.added(len(points[0]))
 
-    def _step_by_step(
-        self, environment: Environment, n: int, between: Callable[[], object] | None
-    ) -> None:
-        """Ask and tell `n` times."""
-        for _ in range(n):
-            trial = self.ask()
-            self.tell(trial, environment(trial.command))
-            if between is not None:
-                between()
+    def run(
+        self,
+        environment: Environment,
+        n: int,
+        *,
+        jobs: int | None = None,
+        executor: Executor | None = None,
+        in_flight: int | None = None,
+        batch: int = 1,
+        timeout: float | None = None,
+        on_error: OnError = "raise",
+        max_failures: int | None = None,
+        callbacks: Iterable[Callback] = (),
+        checkpoint: str | os.PathLike[str] | None = None,
+        every: Every = "30s",
+    ) -> Exploration:
+        """Explore a black box for `n` evaluations.
+
+        It can be called again, with any environment and options. Trials that are under way - an
+        exception or Ctrl-C has left them - are evaluated first.
+
+        Parameters
+        ----------
+        environment : Environment
+            The black box: callable, with ``motor_space`` and ``sensory_space``.
+        n : int
+            How many evaluations, at least 1; those that fail are among them.
+        jobs : int, optional
+            How many worker processes evaluate. One that dies, or takes longer than `timeout`, is
+            replaced: that evaluation has failed. Needs ``pip install "divbandit[jobs]"``; the
+            environment must be picklable where processes are not forked. By default trials are
+            evaluated in this thread, one after the other.
+        executor : concurrent.futures.Executor, optional
+            Where to evaluate instead: threads, processes, a cluster's
+            (``dask.distributed.Client.get_executor()``, ``mpi4py.futures.MPIPoolExecutor``).
+        in_flight : int, optional
+            How many messages to keep under way; must be given with an executor. As many as it has
+            workers, or some more, keep all of them busy. By default as many as `jobs`. Effects are
+            told as they come in, so that with more than one under way the exploration depends on
+            which is ready first.
+        batch : int
+            How many commands go in one message: more where the black box takes less time than the
+            message, or arrays (``FunctionEnvironment(f, ..., vectorized=True)``).
+        timeout : float, optional
+            The longest time for an evaluation in a worker process, in seconds; needs `jobs`.
+        on_error : {"raise", "record"}
+            What to do if an evaluation fails: raises, exits, returns no effect (NaN, infinity, a
+            wrong shape), takes too long, or its worker dies. ``"record"`` goes on: its command and
+            the reason are in ``history.failures``, and a bandit rewards it with 0. ``"raise"``
+            raises what was raised; the trial stays under way.
+        max_failures : int, optional
+            Raise an exception after so many failures in a row.
+        callbacks : iterable of callables
+            Called with the explorer and a trial after each evaluation, told or failed; one that
+            returns True stops the run, once what is under way has been told. See
+            `divbandit.callbacks`.
+        checkpoint : str or path, optional
+            Where to save the explorer while it runs: `load` reads it, also if the process was
+            killed.
+        every : int or str
+            How often: a number of evaluations, or a duration such as ``"30s"``.
+
+        Returns
+        -------
+        Exploration
+            All that was observed, also earlier: `result`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is not what it must be.
+        RuntimeError
+            After `max_failures`, or if all evaluations failed.
+        Exception
+            What the environment raises, unless it is recorded; what a strategy, a callback or the
+            executor raises.
+
+        Notes
+        -----
+        Whatever ends it early, the explorer holds all that was observed. It is the attribute
+        ``explorer`` of the exception.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> arm = db.PlanarArm(20)
+        >>> explorer = db.Explorer(db.GoalBabbling(0.05), arm.motor_space, arm.sensory_space, rng=0)
+        >>> explorer.run(arm, 100)
+        <Exploration of 100 evaluations, 20 -> 2>
+        >>> explorer.run(arm, 50)
+        <Exploration of 150 evaluations, 20 -> 2>
+        """
+        options = Options(
+            jobs=jobs,
+            executor=executor,
+            in_flight=in_flight,
+            batch=batch,
+            timeout=timeout,
+            on_error=on_error,
+            max_failures=max_failures,
+            callbacks=callbacks,
+            checkpoint=checkpoint,
+            every=every,
+        )
+        running.run(self, environment, n, options)
+        return self.result()
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all that is needed to resume to a file, replacing it whole or not at all.
 
-        The file is NumPy's ``npz``; nothing in it is pickled. It holds what was asked and told,
-        and the generator's state at the beginning: all else follows from these.
+        It holds what was asked and told, and the generator's state at the beginning: all else
+        follows from these. The file is a sequence of NumPy arrays; nothing in it is pickled.
 
         Parameters
         ----------
@@ -431,14 +446,14 @@ class Explorer:
         >>> again.ask().command == explorer.ask().command
         array([ True])
         """
-        commands = {number: command for number, (_, command) in self._open.items()}
-        saved.write(path, self._given, self.history, self._journal, commands, self.rng)
+        saved.write(path, self)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], strategy: Strategy | None = None) -> Explorer:
         """Read a saved explorer, which continues bit for bit as the original would have.
 
-        All that was asked and told is repeated, with the generator as it was at the beginning; each
+        Also a checkpoint of `run`, as far as it was written when the process was killed. All that
+        was asked and told is repeated, with the generator as it was at the beginning; each
         command must come out the same. So a user-defined strategy must depend on its observations
         and the generator alone, and the generator must not have been drawn from elsewhere.
 
@@ -498,4 +513,13 @@ class Explorer:
         return Exploration.of(self.history, keep_commands=keep_commands)
 
     def __repr__(self) -> str:
-        return f"<Explorer of {self._given!r} after {len(self.history)} evaluations>"
+        return f"<Explorer of {self._given!r} after {counted(self.history)}>"
+
+
+def _commands_and_effects(past: Past) -> tuple[ArrayLike, ArrayLike]:
+    if isinstance(past, Exploration):
+        return past.commands, past.effects
+    if isinstance(past, tuple) and len(past) == 2:  # noqa: PLR2004
+        return past
+    kind = type(past).__name__
+    raise TypeError(f"past must be an Exploration or a tuple (commands, effects), got {kind}")

@@ -10,7 +10,7 @@ import numpy as np
 from divbandit import _files
 from divbandit._checks import whole
 from divbandit.box import Box
-from divbandit.history import Failure
+from divbandit.history import Failure, counted
 from divbandit.measures import BallCoverage
 from divbandit.measures.start import check_measure, start_measure
 
@@ -107,7 +107,7 @@ class Exploration:
 
     def __repr__(self) -> str:
         m, s = self.motor_space.dim, self.effects.shape[1]
-        return f"<Exploration of {len(self)} evaluations, {m} -> {s}>"
+        return f"<Exploration of {counted(self)}, {m} -> {s}>"
 
     @property
     def choices(self) -> NDArray[np.int64]:

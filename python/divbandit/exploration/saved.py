@@ -1,8 +1,16 @@
-"""Files of explorers: what was asked and told, from which all else follows."""
+"""Files of explorers: what was asked and told, from which all else follows.
+
+A file begins with a block on the strategy, the spaces and the generator. Each block after it holds
+what has happened since the one before: a saved file has one of them, a checkpoint grows.
+"""
 
 from __future__ import annotations
 
+import io
+import os
+import zipfile
 from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -10,29 +18,23 @@ import numpy as np
 from divbandit import _files
 from divbandit._recipe import NoRecipeError, made_from, recipe_of
 from divbandit.box import Box
-from divbandit.exploration.journal import Event, events_of
+from divbandit.exploration.blocks import packed, unpacked
 from divbandit.exploration.replay import OtherwiseError, Past, replay
 from divbandit.strategies.base import Strategy
 
 if TYPE_CHECKING:
-    import os
-    from collections.abc import Mapping
-
     from numpy.random import Generator
     from numpy.typing import NDArray
 
+    from divbandit._core import Trial
     from divbandit.exploration.explorer import Explorer
-    from divbandit.exploration.journal import Journal
-    from divbandit.history import History
+    from divbandit.exploration.watching import Every
+
+    Arrays = dict[str, NDArray[Any]]
+    PathLike = str | os.PathLike[str]
 
 _FORMAT = "divbandit explorer"
-_VERSION = 2
-
-#: What to do with files of the first version, whose strategies had other parts.
-_FIRST_VERSION = (
-    "go on from what it observed: read its commands and effects with numpy.load, and give them to "
-    "explorer.add_past"
-)
+_VERSION = 3
 
 #: The bit generators whose state a file can hold.
 _BIT_GENERATORS = {
@@ -45,6 +47,148 @@ _BIT_GENERATORS = {
         np.random.SFC64,
     )
 }
+
+
+def write(path: PathLike, explorer: Explorer) -> None:
+    """Write what happened to an explorer, replacing a file whole or not at all."""
+    _replace(path, _head(explorer, grows=False) + _Blocks(explorer).next())
+
+
+class Checkpoint:
+    """A callback that saves the explorer every so often, by what has happened since.
+
+    Attributes
+    ----------
+    every : int or str
+        Evaluations, or a duration.
+    """
+
+    def __init__(self, path: PathLike, every: Every) -> None:
+        self._path, self.every = path, every
+
+    def start(self, explorer: Explorer, _: int) -> Growing:
+        """Write a new file, replacing what was there, or go on with that of the last run."""
+        before = explorer._growing  # noqa: SLF001 - kept there for this
+        if before is None or not before.is_at(self._path):
+            explorer._growing = before = Growing(self._path, explorer)  # noqa: SLF001
+        return before
+
+
+class Growing:
+    """A file to which blocks are appended."""
+
+    def __init__(self, path: PathLike, explorer: Explorer) -> None:
+        self._path, self._blocks = Path(path).resolve(), _Blocks(explorer)
+        first = _head(explorer, grows=True) + self._blocks.next()
+        self._end = len(first)
+        _replace(path, first)
+
+    def __call__(self, explorer: Explorer, _: Trial | None) -> None:
+        if not self._blocks.is_more(explorer):
+            return
+        mark = self._blocks.mark
+        try:
+            block = self._blocks.next()
+            with self._path.open("r+b") as file:
+                file.truncate(self._end)  # what an interrupted call has left
+                file.seek(self._end)
+                file.write(block)
+        except BaseException:
+            self._blocks.mark = mark
+            raise
+        self._end += len(block)
+
+    def is_at(self, path: PathLike) -> bool:
+        """Whether this is that file, as it was left."""
+        try:
+            return self._path == Path(path).resolve() and self._path.stat().st_size == self._end
+        except OSError:
+            return False
+
+    def close(self) -> None:
+        """Write what has happened since."""
+        self(self._blocks.explorer, None)
+
+
+class _Blocks:
+    """What has happened to an explorer, block by block."""
+
+    def __init__(self, explorer: Explorer) -> None:
+        self.explorer = explorer
+        #: How many events, rows of the history and failures are in the blocks so far.
+        self.mark = (0, 0, 0)
+
+    def is_more(self, explorer: Explorer) -> bool:
+        """Whether anything has happened since the last block."""
+        journal = explorer._journal  # noqa: SLF001 - that is what is written
+        return journal.size > self.mark[0] or len(explorer.history) > self.mark[1]
+
+    def next(self) -> bytes:
+        """Return a block of what has happened since the last one."""
+        explorer, (first, row, failed) = self.explorer, self.mark
+        journal, log = explorer._journal, explorer.history._log  # noqa: SLF001
+        events, failures = journal.events(first), journal.failures(failed)
+        m = explorer.history.motor_space.dim
+        pending = journal.open
+        words = {
+            "state": _plain(state_of(explorer.rng)),
+            "reasons": [reason for _, _, reason, *_ in failures],
+        }
+        arrays = {
+            "words": _files.from_json(words),
+            "events": events,
+            "commands": log.commands_from(row),
+            "effects": log.effects_from(row),
+            "failed": np.array([number for number, *_ in failures], dtype=np.int64),
+            "failed_commands": _points([command for _, command, *_ in failures], m),
+            "pending": np.array([trial.number for trial in pending], dtype=np.int64),
+            "pending_commands": _points([trial.command for trial in pending], m),
+        }
+        self.mark = (first + len(events), row + len(arrays["effects"]), failed + len(failures))
+        return packed(arrays)
+
+
+def _points(rows: list[NDArray[np.float64]], dim: int) -> NDArray[np.float64]:
+    return np.array(rows, dtype=np.float64).reshape(len(rows), dim)
+
+
+def _head(explorer: Explorer, *, grows: bool) -> bytes:
+    """Return the first block: how it all began."""
+    rng, strategy, history = explorer.rng, explorer._given, explorer.history  # noqa: SLF001
+    kind = type(rng.bit_generator)
+    if type(rng) is not np.random.Generator or kind not in _BIT_GENERATORS.values():
+        raise ValueError(
+            f"rng must be a Generator of one of NumPy's own bit generators to be saved, got {rng!r}"
+        )
+    if not history._log.keeps_commands:  # noqa: SLF001 - it is what is written
+        raise ValueError(
+            "commands must have been kept to be saved: explore(..., keep_commands=True) does"
+        )
+    recipe = None
+    with suppress(NoRecipeError):
+        recipe = recipe_of(strategy)
+    words = {
+        "strategy": recipe,
+        "name": repr(strategy),
+        "generator": kind.__name__,
+        "state": _plain(explorer._began),  # noqa: SLF001
+        "grows": grows,
+    }
+    arrays = {
+        "format": np.array([_FORMAT, str(_VERSION)]),
+        "words": _files.from_json(words),
+        "motor_space": np.array([history.motor_space.low, history.motor_space.high]),
+    }
+    if history.sensory_space is not None:
+        arrays["sensory_space"] = np.array(
+            [history.sensory_space.low, history.sensory_space.high]
+        )
+    return packed(arrays)
+
+
+def _replace(path: PathLike, content: bytes) -> None:
+    with _files.replacing(path) as file:
+        file.write(content)
 
 
 class _Saved(NamedTuple):
@@ -62,64 +206,15 @@ class _Saved(NamedTuple):
     past: Past
 
 
-def write(
-    path: str | os.PathLike[str],
-    strategy: Strategy,
-    history: History,
-    journal: Journal,
-    under_way: Mapping[int, NDArray[np.float64]],
-    rng: Generator,
-) -> None:
-    """Write what happened to an explorer; `under_way` are the commands of its open trials."""
-    kind = type(rng.bit_generator)
-    if type(rng) is not np.random.Generator or kind not in _BIT_GENERATORS.values():
-        raise ValueError(
-            f"rng must be a Generator of one of NumPy's own bit generators to be saved, got {rng!r}"
-        )
-    if not history._log.keeps_commands:  # noqa: SLF001 - it is what is written
-        raise ValueError(
-            "commands must have been kept to be saved: explore(..., keep_commands=True) does"
-        )
-    recipe = None
-    with suppress(NoRecipeError):
-        recipe = recipe_of(strategy)
-    events = np.array(journal.events, dtype=np.int64)
-    told, added, numbers = _rows(events)
-    commands = np.empty(
-        (len(told) + len(history.failures) + len(under_way), history.motor_space.dim)
-    )
-    commands[numbers] = history.commands[told]
-    for number, failure in zip(journal.failed, history.failures, strict=True):
-        commands[number] = failure.command
-    for number, command in under_way.items():
-        commands[number] = command
-    words = {
-        "strategy": recipe,
-        "name": repr(strategy),
-        "generator": kind.__name__,
-        "state": {"before": _plain(journal.generator_state), "after": _plain(rng_state(rng))},
-        "reasons": [failure.reason for failure in history.failures],
-    }
-    space, goals = history.motor_space, history.sensory_space
-    arrays: dict[str, NDArray[Any]] = {
-        "motor_space": np.array([space.low, space.high]),
-        "words": _files.from_json(words),
-        "events": events,
-        "commands": commands,
-        "effects": history.effects,
-        "added": history.commands[added],
-    }
-    if goals is not None:
-        arrays["sensory_space"] = np.array([goals.low, goals.high])
-    # Random commands can hardly be compressed, and a robot is saved after each trial.
-    _files.write(path, _FORMAT, _VERSION, arrays, compress=False)
-
-
-def read(path: str | os.PathLike[str], kind: type[Explorer], strategy: Strategy | None) -> Explorer:
+def read(path: PathLike, kind: type[Explorer], strategy: Strategy | None) -> Explorer:
     """Return the explorer that was written, in the state that it was in."""
-    saved = _files.read(
-        path, _FORMAT, _VERSION, _from_arrays, writer="Explorer.save", earlier={1: _FIRST_VERSION}
-    )
+    data = Path(path).read_bytes()
+    try:
+        saved = _from_blocks(data)
+    except Exception as error:  # a damaged file can break its readers in any way
+        raise ValueError(
+            f"path must be a file written by Explorer.save, got {os.fspath(path)!r}: {error}"
+        ) from error
     if strategy is None:
         if saved.strategy is None:
             raise ValueError(
@@ -140,40 +235,18 @@ def read(path: str | os.PathLike[str], kind: type[Explorer], strategy: Strategy 
     return explorer
 
 
-def rng_state(rng: Generator) -> dict[str, Any]:
-    """Return the state of a generator.
+def state_of(rng: Generator) -> dict[str, Any] | None:
+    """Return the state of a generator; None if its bit generator, a user's, does not tell.
 
     Examples
     --------
-    >>> sorted(rng_state(np.random.default_rng(0)))
+    >>> sorted(state_of(np.random.default_rng(0)))
     ['bit_generator', 'has_uint32', 'state', 'uinteger']
     """
-    return dict(rng.bit_generator.state)
-
-
-def _rows(
-    events: NDArray[np.int64],
-) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """Return which rows of the history were told, which were added, and what trials were told."""
-    told: list[int] = []
-    added: list[int] = []
-    numbers: list[int] = []
-    asked = known = 0
-    for event, number, how in events_of(events.tolist()):
-        if event == Event.ASK and not how:
-            asked += 1
-        elif event == Event.RUN:
-            told += range(known, known + number)
-            numbers += range(asked, asked + number)
-            asked, known = asked + number, known + number
-        elif event == Event.TELL:
-            told.append(known)
-            numbers.append(number)
-            known += 1
-        elif event == Event.PAST:
-            added += range(known, known + number)
-            known += number
-    return tuple(np.array(rows, dtype=np.int64) for rows in (told, added, numbers))  # type: ignore[return-value]
+    try:
+        return dict(rng.bit_generator.state)
+    except NotImplementedError:
+        return None
 
 
 def _plain(value: Any) -> Any:  # noqa: ANN401 - a state may hold anything that JSON can, and arrays
@@ -192,29 +265,74 @@ def _restored(value: Any) -> Any:  # noqa: ANN401
     return value
 
 
-def _from_arrays(arrays: dict[str, NDArray[Any]]) -> _Saved:
-    """Read the arrays of a file, which may hold anything."""
-    words = _files.to_json(arrays, "words")
-    motor_space = Box(*_files.array(arrays, "motor_space", np.float64, (2, None)))
+def _from_blocks(data: bytes) -> _Saved:
+    """Read the blocks of a file, which may hold anything."""
+    if data[:2] == b"PK":
+        raise ValueError(_other_file(data))
+    blocks = list(unpacked(data))
+    if len(blocks) < 2:  # noqa: PLR2004 - a head, and what has happened
+        raise ValueError("it is another file, or a part of one")
+    (head, _), *rest = blocks
+    words = _files.to_json(head, "words")
+    name, version = (str(word) for word in head["format"])
+    if (name, version) != (_FORMAT, str(_VERSION)):
+        raise ValueError(f"format must be {_FORMAT!r} {_VERSION}, got {name!r} {version}")
+    if not words["grows"] and (len(rest) > 1 or rest[-1][1] != len(data)):
+        raise ValueError("it is not whole")
+    motor_space = Box(*_files.array(head, "motor_space", np.float64, (2, None)))
     sensory_space = None
-    if "sensory_space" in arrays:
-        sensory_space = Box(*_files.array(arrays, "sensory_space", np.float64, (2, None)))
-    m = motor_space.dim
-    events = _files.array(arrays, "events", np.int64, (None,))
+    if "sensory_space" in head:
+        sensory_space = Box(*_files.array(head, "sensory_space", np.float64, (2, None)))
+    past, last = _past([arrays for arrays, _ in rest], motor_space.dim)
     bit_generator = _BIT_GENERATORS[words["generator"]]()
-    after, before = (_restored(words["state"][when]) for when in ("after", "before"))
+    before, after = _restored(words["state"]), _restored(last["state"])
     for state in (after, before):  # the first is only tried
         bit_generator.state = state
-    past = Past(
-        list(events_of(events.tolist())),
-        _files.array(arrays, "commands", np.float64, (None, m)),
-        _files.array(arrays, "effects", np.float64, (None, None)),
-        _files.array(arrays, "added", np.float64, (None, m)),
-        [str(reason) for reason in words["reasons"]],
-    )
-    past.check()
     strategy = None if words["strategy"] is None else made_from(words["strategy"])
     if not isinstance(strategy, (Strategy, type(None))):
         raise TypeError(f"strategy must be a Strategy, got {type(strategy).__name__}")
     rng = np.random.Generator(bit_generator)
     return _Saved(motor_space, sensory_space, strategy, str(words["name"]), rng, after, past)
+
+
+def _past(blocks: list[Arrays], m: int) -> tuple[Past, dict[str, Any]]:
+    """Return what the blocks say has happened, and the words of the last one."""
+    words = [_files.to_json(block, "words") for block in blocks]
+
+    def joined(name: str, dtype: type[np.generic], *shape: int | None) -> NDArray[Any]:
+        parts = [_files.array(block, name, dtype, (None, *shape)) for block in blocks]
+        filled = [part for part in parts if len(part)]
+        return np.concatenate(filled) if filled else parts[0]
+
+    last = blocks[-1]
+    past = Past.of(
+        joined("events", np.int64),
+        joined("commands", np.float64, m),
+        joined("effects", np.float64, None),
+        (joined("failed", np.int64), joined("failed_commands", np.float64, m)),
+        (
+            _files.array(last, "pending", np.int64, (None,)),
+            _files.array(last, "pending_commands", np.float64, (None, m)),
+        ),
+        [str(reason) for each in words for reason in each["reasons"]],
+    )
+    return past, words[-1]
+
+
+def _other_file(data: bytes) -> str:
+    """Say what to do with a file in NumPy's npz: of an Exploration, or of an earlier version."""
+    try:
+        with np.load(io.BytesIO(data), allow_pickle=False) as arrays:
+            name, version = (str(word) for word in arrays["format"][:2])
+    except (zipfile.BadZipFile, KeyError, ValueError, OSError):
+        return "it is another file, or a part of one"
+    if name == _FORMAT:
+        return (
+            f"format must be {_FORMAT!r} {_VERSION}, got {name!r} {version}; go on from what it "
+            "observed: read its commands and effects with numpy.load, and give them to "
+            "Explorer(..., past=(commands, effects))"
+        )
+    return (
+        "it is an Exploration: go on from it with "
+        "Explorer(strategy, ..., past=Exploration.load(path))"
+    )

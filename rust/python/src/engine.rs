@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use divbandit_core::{Environment, Error, Exploration, History, Proposal};
+use numpy::{PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -13,6 +14,7 @@ use crate::composition::Reader;
 use crate::environments::{BlackBox, environment_of};
 use crate::errors::value_error;
 use crate::history::PyHistory;
+use crate::journal::PyJournal;
 use crate::parts::class_of;
 use crate::random::{Draws, NumpyStream};
 use crate::trial::PyTrial;
@@ -25,8 +27,8 @@ const STEPS: usize = 64;
 
 /// A composition of the library's own strategies, which explores with a history.
 ///
-/// A trial is known by the number of trials before it. A user-defined part raises a
-/// NotBuiltInError.
+/// Each call changes its state, the history and the journal together, or none of them. A
+/// user-defined part raises a NotBuiltInError.
 ///
 /// Parameters
 /// ----------
@@ -37,13 +39,13 @@ const STEPS: usize = 64;
 /// --------
 /// >>> import numpy as np
 /// >>> import divbandit as db
-/// >>> from divbandit._core import Bounds, Engine, History
-/// >>> history = History(Bounds([-1], [1]), None)
+/// >>> from divbandit._core import Bounds, Engine, History, Journal
+/// >>> history, journal = History(Bounds([-1], [1]), None), Journal()
 /// >>> engine = Engine(db.Mixture([db.MotorBabbling()]), history)
-/// >>> trial = engine.ask(history, np.random.default_rng(0))
-/// >>> trial.goal, trial.path, trial.number, engine.asked
+/// >>> trial = engine.ask(history, journal, np.random.default_rng(0))
+/// >>> trial.goal, trial.path, trial.number, journal.asked
 /// (None, (0,), 0, 1)
-/// >>> engine.tell(0, history, [1.0, 2.0])
+/// >>> engine.tell(trial, [1.0, 2.0], history, journal)
 /// >>> len(history)
 /// 1
 #[pyclass(module = "divbandit._core", name = "Engine")]
@@ -51,13 +53,10 @@ pub(crate) struct PyEngine {
     exploration: Exploration,
     /// The pending trials, by number.
     open: HashMap<usize, Proposal>,
-    /// One that is not in use.
+    /// One that is not in use; after `run`, that of its last trial in Python.
     spare: Proposal,
-    asked: usize,
     /// Whether trials tell how probable the outermost choice was: that of a policy, as in Python.
     tells_probability: bool,
-    /// Whether the newest effect was recorded, but could not be rewarded.
-    refused: bool,
 }
 
 #[pymethods]
@@ -70,26 +69,13 @@ impl PyEngine {
             Exploration::new(reader.composition, root, &history.0).map_err(value_error)?;
         let spare = Proposal::new(history.0.motor_space().dim());
         let tells_probability = class_of(strategy)?.as_deref() == Some("Bandit");
-        let open = HashMap::new();
-        Ok(Self { exploration, open, spare, asked: 0, tells_probability, refused: false })
-    }
-
-    /// How many trials were asked for.
-    #[getter]
-    fn asked(&self) -> usize {
-        self.asked
+        Ok(Self { exploration, open: HashMap::new(), spare, tells_probability })
     }
 
     /// Whether a strategy looks at the commands of the history.
     #[getter]
     fn needs_commands(&self) -> bool {
         self.exploration.needs_commands()
-    }
-
-    /// Whether the newest effect was recorded, but could not be rewarded.
-    #[getter]
-    fn refused(&self) -> bool {
-        self.refused
     }
 
     /// A bandit's estimates of its strategies; None for any other strategy.
@@ -99,28 +85,15 @@ impl PyEngine {
     }
 
     /// Let the strategy propose a trial.
-    fn ask(
-        slf: &Bound<'_, Self>,
-        history: &Bound<'_, PyHistory>,
-        rng: &Bound<'_, PyAny>,
-    ) -> PyResult<PyTrial> {
+    fn ask<'py>(
+        slf: &Bound<'py, Self>,
+        history: &Bound<'py, PyHistory>,
+        journal: &Bound<'py, PyJournal>,
+        rng: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyTrial>> {
         let (this, mut log) = (&mut *idle(slf)?, writable(history)?);
-        let mut stream = NumpyStream::lock(rng)?;
-        this.exploration.propose(&mut log.0, &mut stream, &mut this.spare).map_err(value_error)?;
-        drop(stream);
-        this.open.insert(this.asked, this.spare.clone());
-        this.asked += 1;
-        this.proposed(rng.py(), this.asked - 1)
-    }
-
-    /// Return a pending trial.
-    fn proposed(&self, py: Python<'_>, number: usize) -> PyResult<PyTrial> {
-        let proposal = self.open.get(&number).ok_or_else(unknown)?;
-        let goal = proposal.goal().map(|goal| read_only(py, goal)).transpose()?;
-        let command = read_only(py, proposal.command())?;
-        let path = PyTuple::new(py, proposal.path())?;
-        let probability = proposal.probability().filter(|_| self.tells_probability);
-        Ok(PyTrial::numbered(command, goal, path, probability, number))
+        this.propose(&mut log.0, journal, rng)?;
+        this.give_out(journal)
     }
 
     /// Record the effect of a trial, and let the strategy learn from it.
@@ -128,164 +101,259 @@ impl PyEngine {
     /// An effect that is refused is not recorded, and its trial stays under way.
     fn tell(
         slf: &Bound<'_, Self>,
-        number: usize,
-        history: &Bound<'_, PyHistory>,
+        trial: &Bound<'_, PyTrial>,
         effect: &Bound<'_, PyAny>,
+        history: &Bound<'_, PyHistory>,
+        journal: &Bound<'_, PyJournal>,
     ) -> PyResult<()> {
+        let number = journal.try_borrow()?.find(trial)?;
         let mut numbers = Vec::new();
         BlackBox::read(effect, history.try_borrow()?.0.effect_dim(), &mut numbers)?;
         let (this, mut log) = (&mut *idle(slf)?, writable(history)?);
+        let mut journal = journal.try_borrow_mut()?;
         let proposal = this.open.remove(&number).ok_or_else(unknown)?;
         let known = log.0.len();
         let told = this.exploration.observe(&mut log.0, &proposal, &numbers);
-        if told.is_err() && log.0.len() == known {
+        if log.0.len() == known {
             this.open.insert(number, proposal);
         } else {
             this.spare = proposal;
+            journal.told(trial)?;
+            if told.is_err() {
+                journal.raised();
+            }
         }
         told.map_err(value_error)
     }
 
     /// Let the strategy learn that a trial has failed.
-    fn fail(slf: &Bound<'_, Self>, number: usize) -> PyResult<()> {
+    fn fail(
+        slf: &Bound<'_, Self>,
+        trial: &Bound<'_, PyTrial>,
+        reason: String,
+        history: &Bound<'_, PyHistory>,
+        journal: &Bound<'_, PyJournal>,
+    ) -> PyResult<()> {
         let this = &mut *idle(slf)?;
+        let mut journal = journal.try_borrow_mut()?;
+        let number = journal.find(trial)?;
         let proposal = this.open.remove(&number).ok_or_else(unknown)?;
+        journal.failed(trial, reason, history.try_borrow()?.0.len())?;
         this.exploration.fail(&proposal);
         Ok(())
     }
 
-    /// Explore an environment for n evaluations.
+    /// Explore an environment for at most n evaluations, and at most about so many seconds.
     ///
-    /// `between` is called again and again - after each step where the environment is called back,
-    /// every twentieth of a second elsewhere; what it raises ends the run, and so does Ctrl-C. A
-    /// trial whose evaluation raises stays pending.
-    #[pyo3(signature = (environment, history, n, rng, between))]
+    /// At least one is made. A trial whose evaluation raises stays under way.
     fn run(
         slf: &Bound<'_, Self>,
         environment: &Bound<'_, PyAny>,
-        history: &Bound<'_, PyHistory>,
         n: &Bound<'_, PyAny>,
+        seconds: f64,
+        history: &Bound<'_, PyHistory>,
+        journal: &Bound<'_, PyJournal>,
         rng: &Bound<'_, PyAny>,
-        between: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
         // Held until it ends: what is called in between cannot ask or tell.
-        let (py, this) = (slf.py(), &mut *idle(slf)?);
+        let this = &mut *idle(slf)?;
         let n = count("n", n)?;
-        this.refused = false;
+        let end = Duration::try_from_secs_f64(seconds).ok().map(|time| Instant::now() + time);
         match environment_of(environment)? {
             Some(kernel) => {
                 writable(history)?.0.reserve(n).map_err(value_error)?;
-                this.run_in_rust(py, kernel, history, n, rng, between)
+                let done = this.run_in_rust(kernel, n, end, history, journal, rng);
+                this.spare.clone_from(this.exploration.newest());
+                done
             }
-            None => this.run_in_python(&BlackBox::of(environment)?, history, n, rng, between),
+            None => {
+                let black_box = BlackBox::of(environment)?;
+                this.run_in_python(&black_box, n, end, history, journal, rng)
+            }
         }
+    }
+
+    /// The trial that `run` evaluated last.
+    fn newest<'py>(
+        &self,
+        journal: &Bound<'py, PyJournal>,
+    ) -> PyResult<Option<Bound<'py, PyTrial>>> {
+        let asked = journal.try_borrow()?.asked();
+        asked.checked_sub(1).map(|number| self.trial(journal.py(), number)).transpose()
+    }
+
+    /// Propose commands and learn from effects as before: all, or up to another command.
+    ///
+    /// Returns how many were repeated.
+    fn repeat(
+        slf: &Bound<'_, Self>,
+        commands: PyReadonlyArray2<'_, f64>,
+        effects: PyReadonlyArray2<'_, f64>,
+        history: &Bound<'_, PyHistory>,
+        journal: &Bound<'_, PyJournal>,
+        rng: &Bound<'_, PyAny>,
+    ) -> PyResult<usize> {
+        let this = &mut *idle(slf)?;
+        let (m, s) = (commands.dims()[1].max(1), effects.dims()[1].max(1));
+        let rows = commands.as_slice()?.chunks_exact(m).zip(effects.as_slice()?.chunks_exact(s));
+        for (row, (command, effect)) in rows.enumerate() {
+            this.propose(&mut writable(history)?.0, journal, rng)?;
+            let proposed = this.spare.command();
+            if !proposed.iter().map(|x| x.to_bits()).eq(command.iter().map(|x| x.to_bits())) {
+                return Ok(row);
+            }
+            this.observe(effect, history, journal)?;
+            if row % STEPS == 0 {
+                history.py().check_signals()?;
+            }
+        }
+        Ok(commands.dims()[0])
     }
 }
 
 impl PyEngine {
+    /// Lets the strategy propose a trial, in `spare`.
+    fn propose(
+        &mut self,
+        log: &mut History,
+        journal: &Bound<'_, PyJournal>,
+        rng: &Bound<'_, PyAny>,
+    ) -> PyResult<()> {
+        // Locked for each step alone: an environment may draw from the same generator.
+        let mut stream = NumpyStream::lock(rng)?;
+        let proposed = self.exploration.propose(log, &mut stream, &mut self.spare);
+        if proposed.is_err() {
+            journal.try_borrow_mut()?.refused();
+        }
+        proposed.map_err(value_error)
+    }
+
+    /// The trial in `spare`.
+    fn trial<'py>(&self, py: Python<'py>, number: usize) -> PyResult<Bound<'py, PyTrial>> {
+        let proposal = &self.spare;
+        let goal = proposal.goal().map(|goal| read_only(py, goal)).transpose()?;
+        let command = read_only(py, proposal.command())?;
+        let path = PyTuple::new(py, proposal.path())?;
+        let probability = proposal.probability().filter(|_| self.tells_probability);
+        Bound::new(py, PyTrial::numbered(command, goal, path, probability, number))
+    }
+
+    /// Notes that the trial in `spare` is under way, and returns it.
+    fn give_out<'py>(&mut self, journal: &Bound<'py, PyJournal>) -> PyResult<Bound<'py, PyTrial>> {
+        let (py, mut journal) = (journal.py(), journal.try_borrow_mut()?);
+        let number = journal.asked();
+        let trial = self.trial(py, number)?;
+        self.open.insert(number, self.spare.clone());
+        journal.give_out(trial.clone().unbind());
+        Ok(trial)
+    }
+
+    /// Records the effect of the trial in `spare`, which was not given out.
+    fn observe(
+        &mut self,
+        effect: &[f64],
+        history: &Bound<'_, PyHistory>,
+        journal: &Bound<'_, PyJournal>,
+    ) -> PyResult<()> {
+        let (log, mut journal) = (&mut writable(history)?.0, journal.try_borrow_mut()?);
+        let known = log.len();
+        let observed = self.exploration.observe(log, &self.spare, effect);
+        journal.made(log.len() - known);
+        if self.exploration.is_unrewarded() {
+            journal.raised();
+        }
+        observed.map_err(value_error)
+    }
+
     /// Explores a black box, which is called back for each effect.
     fn run_in_python(
         &mut self,
         black_box: &BlackBox<'_>,
-        history: &Bound<'_, PyHistory>,
         n: usize,
+        end: Option<Instant>,
+        history: &Bound<'_, PyHistory>,
+        journal: &Bound<'_, PyJournal>,
         rng: &Bound<'_, PyAny>,
-        between: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
         let py = history.py();
         writable(history)?.0.check_room(n).map_err(value_error)?;
         let mut effect = Vec::new();
         for _ in 0..n {
-            {
-                // Locked for each step alone: the environment may draw from the same generator.
-                let mut stream = NumpyStream::lock(rng)?;
-                let log = &mut writable(history)?.0;
-                self.exploration.propose(log, &mut stream, &mut self.spare).map_err(value_error)?;
-            }
-            let number = self.asked;
-            self.asked += 1;
-            if let Err(error) = self.evaluate(black_box, history, &mut effect) {
-                if !self.refused {
-                    self.open.insert(number, self.spare.clone());
+            self.propose(&mut writable(history)?.0, journal, rng)?;
+            let dim = history.try_borrow()?.0.effect_dim();
+            let known = history.try_borrow()?.0.len();
+            let evaluated = black_box.evaluate(py, self.spare.command(), dim, &mut effect);
+            if let Err(error) = evaluated.and_then(|()| self.observe(&effect, history, journal)) {
+                if history.try_borrow()?.0.len() == known {
+                    self.give_out(journal)?;
                 }
                 return Err(error);
             }
             py.check_signals()?;
-            if let Some(between) = between {
-                between.call0()?;
+            if end.is_some_and(|end| Instant::now() >= end) {
+                break;
             }
         }
         Ok(())
     }
 
-    /// Finds the effect of the trial proposed last, and records it.
-    fn evaluate(
-        &mut self,
-        black_box: &BlackBox<'_>,
-        history: &Bound<'_, PyHistory>,
-        effect: &mut Vec<f64>,
-    ) -> PyResult<()> {
-        let dim = history.try_borrow()?.0.effect_dim();
-        black_box.evaluate(history.py(), self.spare.command(), dim, effect)?;
-        let log = &mut writable(history)?.0;
-        let known = log.len();
-        let observed = self.exploration.observe(log, &self.spare, effect);
-        self.refused = observed.is_err() && log.len() > known;
-        observed.map_err(value_error)
-    }
-
     /// Explores an environment in Rust, detached from Python for a while at a time.
     fn run_in_rust(
         &mut self,
-        py: Python<'_>,
         mut environment: Box<dyn Environment>,
-        history: &Bound<'_, PyHistory>,
         n: usize,
+        end: Option<Instant>,
+        history: &Bound<'_, PyHistory>,
+        journal: &Bound<'_, PyJournal>,
         rng: &Bound<'_, PyAny>,
-        between: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
-        let mut left = n;
+        let (py, mut left) = (history.py(), n);
         while left > 0 {
             {
                 // Locked for a while alone: what handles a signal may draw from the same generator.
                 let mut stream = NumpyStream::lock(rng)?;
                 let draws = stream.draws();
-                let log = &mut writable(history)?.0;
+                let (log, mut journal) = (&mut writable(history)?.0, journal.try_borrow_mut()?);
                 let known = log.len();
+                let pause = Instant::now() + AT_ONCE;
+                let pause = end.map_or(pause, |end| pause.min(end));
                 let exploration = &mut self.exploration;
-                let done =
-                    py.detach(|| for_a_while(exploration, &mut *environment, log, left, draws));
+                let done = py
+                    .detach(|| run_until(pause, exploration, &mut *environment, log, left, draws));
                 let made = log.len() - known;
                 left -= made;
-                self.asked += made;
-                if let Err(error) = done {
-                    self.refused = true;
-                    return Err(value_error(error));
+                journal.made(made);
+                if done.is_err() && self.exploration.is_unrewarded() {
+                    journal.raised();
                 }
+                done.map_err(value_error)?;
             }
             py.check_signals()?;
-            if let Some(between) = between {
-                between.call0()?;
+            if end.is_some_and(|end| Instant::now() >= end) {
+                break;
             }
         }
         Ok(())
     }
 }
 
-/// Runs on for about [`AT_ONCE`], `left` steps at most.
-fn for_a_while(
+/// Runs on until a time, `left` steps at most and one at least.
+fn run_until(
+    end: Instant,
     exploration: &mut Exploration,
     environment: &mut dyn Environment,
     history: &mut History,
     left: usize,
     draws: &mut Draws,
 ) -> Result<(), Error> {
-    let (end, all) = (Instant::now() + AT_ONCE, history.len() + left);
-    while history.len() < all && Instant::now() < end {
+    let all = history.len() + left;
+    loop {
         let steps = STEPS.min(all - history.len());
         exploration.run(environment, history, steps, draws)?;
+        if history.len() == all || Instant::now() >= end {
+            return Ok(());
+        }
     }
-    Ok(())
 }
 
 /// The engine, unless it is running: an environment that calls it back is refused.

@@ -19,6 +19,7 @@ mod estimators;
 mod goals;
 mod history;
 mod inverse;
+mod journal;
 mod kdtree;
 mod measures;
 mod obstructed_arm;
@@ -28,6 +29,7 @@ mod push_arm;
 mod random;
 mod rewards;
 mod trial;
+mod undisturbed;
 
 use pyo3::prelude::*;
 
@@ -45,6 +47,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<goals::PyGoalSampler>()?;
     module.add_class::<history::PyHistory>()?;
     module.add_class::<inverse::PyInverseModel>()?;
+    module.add_class::<journal::PyJournal>()?;
     module.add_class::<obstructed_arm::PyObstacle>()?;
     module.add_class::<obstructed_arm::PyObstructedArm>()?;
     module.add_class::<push_arm::PyPushArm>()?;
@@ -62,5 +65,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(policies::powers, module)?)?;
     module.add_function(wrap_pyfunction!(policies::proportionally, module)?)?;
     module.add_function(wrap_pyfunction!(arrays::as_point, module)?)?;
+    module.add_function(wrap_pyfunction!(undisturbed::undisturbed, module)?)?;
+    module.add_function(wrap_pyfunction!(undisturbed::interruptible, module)?)?;
     Ok(())
 }

@@ -36,11 +36,11 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 #[pyclass(module = "divbandit", name = "Trial", frozen, subclass)]
 pub(crate) struct PyTrial {
     #[pyo3(get)]
-    command: Py<PyAny>,
+    pub command: Py<PyAny>,
     #[pyo3(get)]
     goal: Option<Py<PyAny>>,
     #[pyo3(get)]
-    path: Py<PyTuple>,
+    pub path: Py<PyTuple>,
     #[pyo3(get)]
     probability: Option<f64>,
     #[pyo3(get)]
@@ -50,6 +50,11 @@ pub(crate) struct PyTrial {
 }
 
 impl PyTrial {
+    /// How many trials its explorer gave out before.
+    pub fn number(&self) -> Option<usize> {
+        self.number
+    }
+
     /// A trial that the engine gives out.
     pub fn numbered(
         command: Bound<'_, PyArray1<f64>>,

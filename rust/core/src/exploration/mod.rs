@@ -81,6 +81,8 @@ pub struct Exploration {
     has_begun: bool,
     /// What each of those who chose has earned with the newest effect.
     earned: Vec<f64>,
+    /// Whether the newest effect was recorded, but could not be rewarded.
+    unrewarded: bool,
     /// What `run` proposes and observes.
     proposal: Proposal,
     effect: Vec<f64>,
@@ -121,6 +123,7 @@ impl Exploration {
             needs_commands,
             has_begun: false,
             earned: Vec::new(),
+            unrewarded: false,
             proposal,
             effect,
         };
@@ -153,6 +156,7 @@ impl Exploration {
         draws: &mut dyn UniformStream,
         proposal: &mut Proposal,
     ) -> Result<(), Error> {
+        self.unrewarded = false;
         proposal.estimates.clear();
         proposal.estimates.extend_from_slice(self.estimates().unwrap_or(&[]));
         proposal.choices.clear();
@@ -194,11 +198,13 @@ impl Exploration {
         proposal: &Proposal,
         effect: &[f64],
     ) -> Result<(), Error> {
+        self.unrewarded = false;
         history.check_effect(effect)?;
         if !self.has_begun {
             self.begin(effect.len(), history.sensory_space())?;
         }
         history.log(&proposal.command, effect, proposal.end, &proposal.estimates)?;
+        self.unrewarded = true;
         self.earned.clear();
         for &(place, _) in &proposal.choices {
             self.earned.push(match self.rewarded[place] {
@@ -214,7 +220,14 @@ impl Exploration {
                 composite.learn(choice, reward);
             }
         }
+        self.unrewarded = false;
         Ok(())
+    }
+
+    /// Whether the newest effect was recorded, but could not be rewarded.
+    #[must_use]
+    pub fn is_unrewarded(&self) -> bool {
+        self.unrewarded
     }
 
     /// Tells the composites on the way to a proposal that it has failed.
@@ -239,6 +252,12 @@ impl Exploration {
     #[must_use]
     pub fn needs_commands(&self) -> bool {
         self.needs_commands
+    }
+
+    /// What [`run`](Self::run) proposed last.
+    #[must_use]
+    pub fn newest(&self) -> &Proposal {
+        &self.proposal
     }
 
     /// Explores `environment` for `n` more evaluations.

@@ -37,6 +37,7 @@ from divbandit.bandits import (
     WholePast,
     Window,
 )
+from divbandit.callbacks import Every, Plateau, Progress, TimeBudget
 from divbandit.controllers import (
     FunctionController,
     MovementPrimitives,
@@ -74,7 +75,7 @@ from tests.compositions import adapted, compositions
 
 SQUARE, ARM = db.Box([-1, -1], [1, 1]), PlanarArm(4)
 #: No strategy is made of what is in these packages.
-NOT_IN_FILES = ("environments", "controllers", "experiments")
+NOT_IN_FILES = ("environments", "controllers", "experiments", "callbacks")
 
 
 def swap(x):
@@ -153,6 +154,17 @@ PARTS = [
     # Experiments.
     Task(PlanarArm(2), db.MotorBabbling(), 10),
     Task(PlanarArm(2), RGB, n=10, rng=3, engine="python", keep_commands=False),
+    # Callbacks.
+    Every(10, product),
+    Every("30s", TimeBudget(60)),
+    Plateau(500, 0.01),
+    Plateau(np.int64(500), share=0, tau=1),
+    Plateau(500, 1, measure=GridCoverage(0.5)),
+    Progress(),
+    Progress(tau=1),
+    Progress(measure=Sparseness(3)),
+    TimeBudget("2h"),
+    TimeBudget(0.25),
     # Goal samplers.
     UniformGoals(),
     UniformGoals(SQUARE),
@@ -247,6 +259,7 @@ PACKAGES = (
     db.measures,
     db.bandits,
     db.adapters,
+    db.callbacks,
     db.experiments,
 )
 
@@ -359,6 +372,7 @@ def test_no_public_part_is_anything_else():
     parts = {name for name, each in named.items() if hasattr(each, "start") or is_black_box(each)}
     values = {name for name, each in named.items() if issubclass(each, Value)}
     theirs = {"Strategy", "Composite", "Environment", "Measure", "Reward", "Estimator", "Policy"}
+    theirs.add("Callback")
     assert {name for name in parts - values if name.split(".")[-1] not in theirs} == set()
 
 

@@ -23,7 +23,8 @@ experiment -> figure.
   `NearestNeighbors` is a search tree that grows.
 - The exploration: `explore` runs it and returns an `Exploration`. For a robot, or anything else
   that cannot be called, an `Explorer` gives out trials, ``ask()``, and learns their effects,
-  ``tell()``. The `History` of commands and effects is what strategies see.
+  ``tell()``. The `History` of commands and effects is what strategies see. What watches a run, or
+  stops it, is in `callbacks`.
 - The experiments: `explore_many` runs many explorations, such as one for each of 25 seeds, in
   parallel; `experiments` has the task that it repeats, and summaries. `plot` draws; it needs
   matplotlib.
@@ -41,6 +42,7 @@ Examples
 from divbandit import (
     adapters,
     bandits,
+    callbacks,
     controllers,
     environments,
     experiments,
@@ -95,6 +97,7 @@ __all__ = [  # noqa: RUF022 - in the order of the data
     "explore",
     "Exploration",
     "Explorer",
+    "callbacks",
     "explore_many",
     "experiments",
     "plot",

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from numpy.random import Generator
 
 
-def library(name: str, *, user: str) -> ModuleType:
-    """Import a library, or say how to install it; its extra has the same name.
+def library(name: str, *, user: str, extra: str | None = None) -> ModuleType:
+    """Import a library, or say how to install it; its extra has the same name, or that given.
 
     Examples
     --------
@@ -30,7 +30,7 @@ def library(name: str, *, user: str) -> ModuleType:
         if error.name != name:  # it is there, and lacks something itself
             raise
         raise ModuleNotFoundError(
-            f"{user} needs {name}: pip install 'divbandit[{name}]'", name=name
+            f"{user} needs {name}: pip install 'divbandit[{extra or name}]'", name=name
         ) from None
 
 

@@ -128,7 +128,7 @@ class History:
         """The failed evaluations, in order; `commands` and `effects` do not include them."""
         if self._journal is None:
             return ()
-        return tuple(Failure(*failed) for _, *failed in self._journal.failures(0))
+        return tuple(Failure(*failed[1:]) for failed in self._journal.failures(0))
 
     @property
     def effect_dim(self) -> int | None:

@@ -45,7 +45,7 @@ class Every(Value):
     ...     print(len(explorer.history), "effects")
     >>> arm = db.PlanarArm(20)
     >>> every = db.callbacks.Every(40, report)
-    >>> run = db.explore(arm, db.MotorBabbling(), 100, rng=0, callbacks=[every])  # doctest: +SKIP
+    >>> run = db.explore(arm, db.MotorBabbling(), 100, rng=0, callbacks=[every])
     40 effects
     80 effects
     """

@@ -56,7 +56,7 @@ class Progress(Value):
     >>> import divbandit as db
     >>> arm, strategy = db.PlanarArm(20), db.default_strategy(0.02)
     >>> show = [db.callbacks.Progress()]
-    >>> run = db.explore(arm, strategy, 1000, rng=0, callbacks=show)  # doctest: +SKIP
+    >>> run = db.explore(arm, strategy, 1000, rng=0, callbacks=show)
     """
 
     tau: float | None

@@ -101,6 +101,6 @@ class Check:
     def __init__(self, threads: Threads[Any]) -> None:
         self._check = threads.check
 
-    def __call__(self, explorer: Explorer, trial: Trial) -> None:
-        del explorer, trial
+    def __call__(self, _explorer: Explorer, _trial: Trial, /) -> None:
+        """Raise a StoppedError if all is to end."""
         self._check()

@@ -37,7 +37,10 @@ def packed(arrays: Mapping[str, NDArray[Any]]) -> bytes:
 
 
 def unpacked(data: bytes) -> Iterator[tuple[dict[str, NDArray[Any]], int]]:
-    """Return each complete block's arrays, and where it ends; raise a ValueError if one is damaged."""
+    """Return each complete block's arrays, and where it ends.
+
+    A damaged block raises a ValueError.
+    """
     view, start, head = memoryview(data), 0, len(_written(np.zeros(3, dtype=np.uint64)))
     while start + head <= len(data):
         length = read_array(io.BytesIO(view[start : start + head]), allow_pickle=False)

@@ -44,7 +44,8 @@ class Driver(Protocol):
     strategy: Strategy
 
     @property
-    def newest(self) -> Trial | None: ...
+    def newest(self) -> Trial | None:
+        """The trial that `run` evaluated last."""
 
     @property
     def needs_commands(self) -> bool:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from divbandit._checks import Rng
-    from divbandit.callbacks import Callback
+    from divbandit.callbacks.protocol import CallbackLike
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
     from divbandit.exploration.explorer import Past
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from divbandit.strategies.base import Strategy
 
 
-def explore(
+def explore(  # noqa: PLR0913 - each is a choice of the user's
     environment: Environment,
     strategy: Strategy,
     n: int,
@@ -40,7 +40,7 @@ def explore(
     timeout: float | None = None,
     on_error: OnError = "raise",
     max_failures: int | None = None,
-    callbacks: Iterable[Callback] = (),
+    callbacks: Iterable[CallbackLike] = (),
     checkpoint: str | os.PathLike[str] | None = None,
     every: Every = "30s",
 ) -> Exploration:

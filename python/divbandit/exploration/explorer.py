@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from divbandit._checks import Rng
     from divbandit.box import BoxLike
-    from divbandit.callbacks import Callback
+    from divbandit.callbacks.protocol import CallbackLike
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
     from divbandit.exploration.running import OnError
@@ -306,7 +306,7 @@ class Explorer:
         self.history._log.extend(points)  # noqa: SLF001 - the explorer writes it
         self._journal.added(len(points[0]))
 
-    def run(
+    def run(  # noqa: PLR0913 - each is a choice of the user's
         self,
         environment: Environment,
         n: int,
@@ -318,7 +318,7 @@ class Explorer:
         timeout: float | None = None,
         on_error: OnError = "raise",
         max_failures: int | None = None,
-        callbacks: Iterable[Callback] = (),
+        callbacks: Iterable[CallbackLike] = (),
         checkpoint: str | os.PathLike[str] | None = None,
         every: Every = "30s",
     ) -> Exploration:
@@ -516,10 +516,10 @@ class Explorer:
         return f"<Explorer of {self._given!r} after {counted(self.history)}>"
 
 
-def _commands_and_effects(past: Past) -> tuple[ArrayLike, ArrayLike]:
+def _commands_and_effects(past: object) -> tuple[ArrayLike, ArrayLike]:
     if isinstance(past, Exploration):
         return past.commands, past.effects
-    if isinstance(past, tuple) and len(past) == 2:  # noqa: PLR2004
-        return past
+    if isinstance(past, (tuple, list)) and len(past) == 2:
+        return past[0], past[1]
     kind = type(past).__name__
     raise TypeError(f"past must be an Exploration or a tuple (commands, effects), got {kind}")

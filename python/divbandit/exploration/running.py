@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from divbandit._checks import one_of, positive, whole
 from divbandit._core import as_point
+from divbandit.callbacks.protocol import check_callback
 from divbandit.environments import Environment
 from divbandit.exploration.evaluating import Outcome, evaluate, reason_of
 from divbandit.exploration.saved import Checkpoint
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from divbandit._core import Trial
-    from divbandit.callbacks import Callback
+    from divbandit.callbacks.protocol import CallbackLike
     from divbandit.exploration.explorer import Explorer
 
 #: Seconds between checks while waiting: not every system lets Ctrl-C interrupt a long wait.
@@ -50,7 +51,7 @@ class Options:
     timeout: float | None = None
     on_error: OnError = "raise"
     max_failures: int | None = None
-    callbacks: Iterable[Callback] = ()
+    callbacks: Iterable[CallbackLike] = ()
     checkpoint: str | os.PathLike[str] | None = None
     every: Every = "30s"
 
@@ -74,9 +75,7 @@ class Options:
             )
         object.__setattr__(self, "callbacks", tuple(self.callbacks))
         for index, callback in enumerate(self.callbacks):
-            if not (callable(callback) or hasattr(callback, "start")):
-                kind = type(callback).__name__
-                raise TypeError(f"callbacks[{index}] must be callable, got {kind}")
+            check_callback(f"callbacks[{index}]", callback)
         period("every", self.every)
 
     def _check_where(self) -> None:
@@ -101,7 +100,7 @@ def run(explorer: Explorer, environment: Environment, n: int, options: Options) 
     """
     check_environment(environment)
     whole("n", n, low=1)
-    callbacks = list(options.callbacks)
+    callbacks: list[CallbackLike] = list(options.callbacks)
     if options.checkpoint is not None:
         callbacks.append(Checkpoint(options.checkpoint, options.every))
     with _holding(explorer), ExitStack() as stack:
@@ -153,7 +152,8 @@ class _Loop:
     def advance(self) -> None:
         """Go on until something is due."""
         n = min([self.left, *(watcher.trials for watcher in self.watchers)])
-        self.evaluator.advance(n, min([math.inf, *(watcher.seconds for watcher in self.watchers)]))
+        seconds = min([math.inf, *(watcher.seconds for watcher in self.watchers)])
+        self.evaluator.advance(int(n), seconds)
 
     def made(self, trial: Trial, count: int = 1) -> None:
         """Tell the callbacks of evaluations; the trial is the last of them."""
@@ -216,8 +216,9 @@ class _Serial:
             loop.failed(still[0], error)
         else:
             loop.succeeded()
-            made = len(explorer.history) - known
-            loop.made(pending[0] if pending else self._driver.newest, made)
+            newest = pending[0] if pending else self._driver.newest
+            if newest is not None:
+                loop.made(newest, len(explorer.history) - known)
 
     def finish(self) -> None:
         """Nothing is under way."""

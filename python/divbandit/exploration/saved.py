@@ -66,7 +66,7 @@ class Checkpoint:
     def __init__(self, path: PathLike, every: Every) -> None:
         self._path, self.every = path, every
 
-    def start(self, explorer: Explorer, _: int) -> Growing:
+    def start(self, explorer: Explorer, _: int | None, /) -> Growing:
         """Write a new file, replacing what was there, or go on with that of the last run."""
         before = explorer._growing  # noqa: SLF001 - kept there for this
         if before is None or not before.is_at(self._path):
@@ -83,7 +83,8 @@ class Growing:
         self._end = len(first)
         _replace(path, first)
 
-    def __call__(self, explorer: Explorer, _: Trial | None) -> None:
+    def __call__(self, explorer: Explorer, _: Trial | None, /) -> None:
+        """Write what has happened since."""
         if not self._blocks.is_more(explorer):
             return
         mark = self._blocks.mark
@@ -106,7 +107,7 @@ class Growing:
             return False
 
     def close(self) -> None:
-        """Write what has happened since."""
+        """Write the rest."""
         self(self._blocks.explorer, None)
 
 
@@ -134,7 +135,7 @@ class _Blocks:
             "state": _plain(state_of(explorer.rng)),
             "reasons": [reason for _, _, reason, *_ in failures],
         }
-        arrays = {
+        arrays: Arrays = {
             "words": _files.from_json(words),
             "events": events,
             "commands": log.commands_from(row),
@@ -180,9 +181,7 @@ def _head(explorer: Explorer, *, grows: bool) -> bytes:
         "motor_space": np.array([history.motor_space.low, history.motor_space.high]),
     }
     if history.sensory_space is not None:
-        arrays["sensory_space"] = np.array(
-            [history.sensory_space.low, history.sensory_space.high]
-        )
+        arrays["sensory_space"] = np.array([history.sensory_space.low, history.sensory_space.high])
     return packed(arrays)
 
 
@@ -270,7 +269,7 @@ def _from_blocks(data: bytes) -> _Saved:
     if data[:2] == b"PK":
         raise ValueError(_other_file(data))
     blocks = list(unpacked(data))
-    if len(blocks) < 2:  # noqa: PLR2004 - a head, and what has happened
+    if len(blocks) < 2:
         raise ValueError("it is another file, or a part of one")
     (head, _), *rest = blocks
     words = _files.to_json(head, "words")

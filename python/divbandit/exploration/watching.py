@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from time import monotonic
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from divbandit._checks import whole
 from divbandit._duration import seconds
+from divbandit.callbacks.protocol import start_callback
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
     from divbandit._core import Trial
-    from divbandit.callbacks import Callback
+    from divbandit.callbacks.protocol import CallbackLike
     from divbandit.exploration.explorer import Explorer
 
 #: Evaluations or time.
@@ -23,9 +24,8 @@ Every = int | str
 class Watcher:
     """A callback during a run; leaving the ``with`` statement closes it."""
 
-    def __init__(self, callback: Callback, explorer: Explorer, n: int) -> None:
+    def __init__(self, callback: CallbackLike, explorer: Explorer, n: int) -> None:
         self._callback, self._explorer, self._n = callback, explorer, n
-        self._running: Any = callback
         self._period, self._time = period("every", getattr(callback, "every", 1))
         self.trials: float = self._period
         self._due = monotonic() + self._time
@@ -43,9 +43,7 @@ class Watcher:
         return self._running(self._explorer, trial) is True
 
     def __enter__(self) -> Self:
-        start = getattr(self._callback, "start", None)
-        if start is not None:
-            self._running = start(self._explorer, self._n)
+        self._running = start_callback(self._callback, self._explorer, self._n)
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -1,6 +1,7 @@
 """The engine's states: refused, called back while it runs, and what is left without commands."""
 
 import functools
+import math
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import divbandit as db
-from divbandit._core import Bounds, Engine, Reward
+from divbandit._core import Bounds, Engine, Journal, Reward
 from divbandit._core import History as Log
 
 BOX = db.Box([0.0], [1.0])
@@ -37,41 +38,42 @@ def test_paths_under_way_do_not_widen_those_that_were_told() -> None:
 
 def begun() -> tuple[Any, Any]:
     log = Log(Bounds([0.0], [1.0]), None)
-    return Engine(db.MotorBabbling(), log), log
+    return Engine(db.MotorBabbling(), log), (log, Journal())
 
 
 def test_an_environment_cannot_ask_or_tell_the_engine_that_calls_it() -> None:
     rng = np.random.default_rng(0)
     calls = [
-        lambda engine, log: engine.ask(log, rng),
-        lambda engine, log: engine.tell(0, log, [1.0]),
-        lambda engine, _: engine.fail(0),
-        lambda engine, log: engine.run(PLANE, log, 1, rng, None),
+        lambda engine, _, both: engine.ask(*both, rng),
+        lambda engine, trial, both: engine.tell(trial, [1.0], *both),
+        lambda engine, trial, both: engine.fail(trial, "", *both),
+        lambda engine, _, both: engine.run(PLANE, 1, math.inf, *both, rng),
     ]
     for call in calls:
-        engine, log = begun()
-        calling = functools.partial(call, engine, log)
+        engine, (log, journal) = begun()
+        other = engine.ask(log, journal, rng)
+        calling = functools.partial(call, engine, other, (log, journal))
         environment = db.FunctionEnvironment(lambda _, c=calling: c(), motor_space=BOX)
         with pytest.raises(RuntimeError, match="must not be asked or told while it runs"):
-            engine.run(environment, log, 1, rng, None)
+            engine.run(environment, 1, math.inf, log, journal, rng)
         # The trial is under way, and all goes on.
-        assert (engine.asked, len(log)) == (1, 0)
-        engine.tell(0, log, [1.0, 2.0])
-        engine.run(PLANE, log, 2, rng, None)
-        assert (engine.asked, len(log)) == (3, 3)
+        assert (journal.asked, len(log)) == (2, 0)
+        engine.tell(journal.open[1], [1.0, 2.0], log, journal)
+        engine.run(PLANE, 2, math.inf, log, journal, rng)
+        assert (journal.asked, len(log)) == (4, 3)
 
 
 def test_an_effect_that_is_refused_leaves_its_trial_under_way() -> None:
     log = Log(Bounds([0.0], [1.0]), None)
     measure = db.measures.GridCoverage((0.1, 0.1))
     bandit = db.bandits.ucb1([db.MotorBabbling()], reward=db.bandits.Gain(measure))
-    engine = Engine(bandit, log)
-    engine.ask(log, np.random.default_rng(0))
+    engine, journal = Engine(bandit, log), Journal()
+    trial = engine.ask(log, journal, np.random.default_rng(0))
     for wrong in ([1.0], [np.nan, 0.0], []):
         with pytest.raises(ValueError, match=r"cell|finite|empty"):
-            engine.tell(0, log, wrong)
+            engine.tell(trial, wrong, log, journal)
         assert len(log) == 0
-    engine.tell(0, log, [1.0, 2.0])
+    engine.tell(trial, [1.0, 2.0], log, journal)
     assert (len(log), engine.estimates) == (1, (1.0,))
 
 
@@ -93,7 +95,7 @@ def test_a_reward_refuses_a_history_that_is_not_its_own(reward: Any) -> None:
 
 
 def test_rows_beyond_the_log_are_none() -> None:
-    _, log = begun()
+    _, (log, _) = begun()
     log.record([0.5], [1.0, 2.0], (), None)
     for first in (1, 2**62, 2**64 - 1):
         assert log.effects_from(first).shape == (0, 2)

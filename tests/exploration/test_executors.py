@@ -19,10 +19,10 @@ ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)])
 class AtOnce(Executor):
     """Evaluates when it is asked to, in the same thread."""
 
-    def submit(self, function, *arguments):
+    def submit(self, function, *arguments, **options):
         future = Future()
         try:
-            future.set_result(function(*arguments))
+            future.set_result(function(*arguments, **options))
         except Exception as error:  # noqa: BLE001 - handed on
             future.set_exception(error)
         return future
@@ -98,7 +98,15 @@ def test_evaluations_that_raise_are_survived(in_flight):
         return ARM(command) if command[0] > -2 else [np.nan, 0.0]
 
     with Threads(4) as executor:
-        run = db.explore(box(fragile), ADAPT, n=200, rng=0, executor=executor, in_flight=in_flight)
+        run = db.explore(
+            box(fragile),
+            ADAPT,
+            n=200,
+            rng=0,
+            executor=executor,
+            in_flight=in_flight,
+            on_error="record",
+        )
     assert len(run) + len(run.failures) == 200
     assert (run.commands[:, 0] <= 1).all()
     assert (run.commands[:, 0] > -2).all()
@@ -119,7 +127,9 @@ def test_nothing_but_failures_is_an_error():
         Threads(2) as executor,
         pytest.raises(RuntimeError, match="all 7 evaluations failed, last: KeyError: 4"),
     ):
-        db.explore(box(broken), ADAPT, n=7, rng=0, executor=executor, in_flight=3)
+        db.explore(
+            box(broken), ADAPT, n=7, rng=0, executor=executor, in_flight=3, on_error="record"
+        )
 
 
 def pid_and_tip(command):
@@ -168,11 +178,20 @@ BAD = {
     "zero": ({"executor": AtOnce(), "in_flight": 0}, ValueError, "in_flight must be at least 1"),
     "a half": ({"executor": AtOnce(), "in_flight": 0.5}, TypeError, "in_flight must be a whole"),
     "nowhere": ({"in_flight": 2}, ValueError, "in_flight must be given with an executor"),
-    "in Rust": (
-        {"executor": AtOnce(), "in_flight": 2, "engine": "rust"},
+    "twice": (
+        {"executor": AtOnce(), "in_flight": 2, "jobs": 2},
         ValueError,
-        "engine must not",
+        "jobs and executor must not both",
     ),
+    "time": ({"timeout": 2.0}, ValueError, "timeout needs worker processes"),
+    "no time": ({"timeout": 0, "jobs": 1}, ValueError, "timeout must be a positive"),
+    "no jobs": ({"jobs": 0}, ValueError, "jobs must be at least 1"),
+    "no batch": ({"batch": None}, TypeError, "batch must be a whole number"),
+    "errors": ({"on_error": "ignore"}, ValueError, "on_error must be"),
+    "no failures": ({"max_failures": 0}, ValueError, "max_failures must be at least 1"),
+    "one callback": ({"callbacks": print}, TypeError, "callbacks must be a list of callables"),
+    "a word": ({"callbacks": [7]}, TypeError, r"callbacks\[0\] must be a function"),
+    "every": ({"every": "often"}, ValueError, "every must be a duration"),
 }
 
 

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit.exploration.explore import explore_between
 
 #: Interrupted in the middle, it says whether what it holds is the beginning of another run.
 SCRIPT = """
@@ -53,16 +52,16 @@ def test_ctrl_c(engine, environment):
 def test_what_is_called_between_ends_it(engine):
     calls = []
 
-    def between():
+    def between(explorer, trial):
+        del explorer, trial
         calls.append(1)
         if len(calls) == 3:
             raise TimeoutError
 
     arm, rng = db.PlanarArm(20), np.random.default_rng(0)
+    options = {"engine": engine, "callbacks": [db.callbacks.Every("50ms", between)]}
     with pytest.raises(TimeoutError):
-        explore_between(
-            arm, db.MotorBabbling(), 10**7, rng, engine, keep_commands=False, between=between
-        )
+        db.explore(arm, db.MotorBabbling(), 10**7, rng=rng, keep_commands=False, **options)
     assert len(calls) == 3
     assert 0 <= rng.random() < 1  # the generator is free again
 

@@ -26,7 +26,7 @@ def test_an_exploration_is_read():
 
 
 def test_an_explorer_is_refused_with_a_way_to_go_on():
-    with pytest.raises(ValueError, match="add_past"):
+    with pytest.raises(ValueError, match="past="):
         db.Explorer.load(FOLDER / "explorer_1.npz")
 
 

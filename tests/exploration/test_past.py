@@ -116,7 +116,7 @@ def test_what_is_refused_leaves_no_trace(bad, engine):
 
 @pytest.mark.parametrize("past", [7, EARLIER.effects, db.MotorBabbling()], ids=type)
 def test_no_earlier_run(past):
-    with pytest.raises(TypeError, match="past must be an Exploration, got"):
+    with pytest.raises(TypeError, match="past must be an Exploration or a tuple"):
         new_explorer(past=past)
 
 

@@ -192,8 +192,8 @@ class PythonDriver:
             number = self._journal.asked
             trial = proposed.given_out(self._checked(proposed), number)
             self._believed[number] = self.strategy.estimates
-        except BaseException:
-            self._journal.refused()
+        except BaseException as error:
+            self._journal.refused(interrupted=not isinstance(error, Exception))
             raise
         self._journal.give_out(trial)
         return trial
@@ -220,8 +220,8 @@ class PythonDriver:
         self._journal.told(trial)
         try:
             self.strategy.observe(trial.inner, effect)  # type: ignore[arg-type] # given out
-        except BaseException:
-            self._journal.raised()
+        except BaseException as error:
+            self._journal.raised(interrupted=not isinstance(error, Exception))
             raise
 
     def fail(self, trial: Trial, reason: str) -> None:
@@ -233,8 +233,8 @@ class PythonDriver:
         del self._believed[trial.number]  # type: ignore[arg-type] # given out
         try:
             self.strategy.fail(trial.inner, reason)  # type: ignore[arg-type] # given out
-        except BaseException:
-            self._journal.raised()
+        except BaseException as error:
+            self._journal.raised(interrupted=not isinstance(error, Exception))
             raise
 
     def run(self, environment: Environment, n: int, seconds: float) -> None:

@@ -25,8 +25,9 @@ TELL = 2  # the number of the trial
 FAIL = 3  # the number of the trial
 PAST = 4  # how many earlier evaluations were added
 
-#: Added to an event: the strategy raised an exception.
+#: Added to an event: the strategy raised an exception; was interrupted, as by Ctrl-C.
 _RAISED = 8
+_INTERRUPTED = 16
 _SHIFT = 5
 
 
@@ -78,10 +79,10 @@ class Past(NamedTuple):
         asked = 0
         under_way: set[int] = set()
         failures = []
-        for event, number, raised in events_of(events.tolist()):
+        for event, number, how in events_of(events.tolist()):
             if number < 0 or event > PAST:
                 raise ValueError(f"events must be known ones, got {event} of {number}")
-            if event == ASK and not raised:
+            if event == ASK and not how:
                 under_way.add(asked)
                 asked += 1
             elif event == RUN:
@@ -111,15 +112,17 @@ class Past(NamedTuple):
         return cls(events.tolist(), commands, effects, rows[numbers < 0], reasons)
 
 
-def events_of(events: list[int]) -> Iterator[tuple[int, int, bool]]:
-    """Return each event, its number, and whether the strategy raised an exception.
+def events_of(events: list[int]) -> Iterator[tuple[int, int, str]]:
+    """Return each event, its number, and "raised" or "interrupted" where the strategy was.
 
     Examples
     --------
     >>> list(events_of([3 << 5 | 1]))
-    [(1, 3, False)]
+    [(1, 3, '')]
     """
-    return ((code & (_RAISED - 1), code >> _SHIFT, bool(code & _RAISED)) for code in events)
+    for code in events:
+        how = "raised" if code & _RAISED else "interrupted" if code & _INTERRUPTED else ""
+        yield code & (_RAISED - 1), code >> _SHIFT, how
 
 
 def replay(explorer: Explorer, past: Past) -> None:
@@ -161,16 +164,18 @@ class _Replay:
             FAIL: self._fail,
             PAST: self._add,
         }
-        for event, number, raised in events_of(self._past.events):
-            caught: BaseException | None = None
+        for event, number, how in events_of(self._past.events):
+            if how == "interrupted" and event == ASK:
+                continue  # nothing was given out; if anything was drawn, the next command tells
+            caught: Exception | None = None
             try:
                 deeds[event](number)
             except OtherwiseError:
                 raise
             except Exception as error:  # noqa: BLE001 - a strategy may raise anything
                 caught = error
-            if raised != (caught is not None):
-                what = "does not raise an exception again" if raised else f"raises {caught!r}"
+            if how != "interrupted" and bool(how) != (caught is not None):
+                what = "does not raise an exception again" if how else f"raises {caught!r}"
                 raise OtherwiseError(f"it {what}, after {self._asked} trials") from caught
 
     def _ask(self, _: int) -> None:

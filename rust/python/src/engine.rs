@@ -7,7 +7,7 @@ use divbandit_core::{Environment, Error, Exploration, History, Proposal};
 use numpy::{PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyString, PyTuple};
 
 use crate::arrays::{count, read_only};
 use crate::composition::Reader;
@@ -120,7 +120,7 @@ impl PyEngine {
             this.spare = proposal;
             journal.told(trial)?;
             if told.is_err() {
-                journal.raised();
+                journal.raised(false);
             }
         }
         told.map_err(value_error)
@@ -130,7 +130,7 @@ impl PyEngine {
     fn fail(
         slf: &Bound<'_, Self>,
         trial: &Bound<'_, PyTrial>,
-        reason: String,
+        reason: Py<PyString>,
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
     ) -> PyResult<()> {
@@ -223,7 +223,7 @@ impl PyEngine {
         let mut stream = NumpyStream::lock(rng)?;
         let proposed = self.exploration.propose(log, &mut stream, &mut self.spare);
         if proposed.is_err() {
-            journal.try_borrow_mut()?.refused();
+            journal.try_borrow_mut()?.refused(false);
         }
         proposed.map_err(value_error)
     }
@@ -260,7 +260,7 @@ impl PyEngine {
         let observed = self.exploration.observe(log, &self.spare, effect);
         journal.made(log.len() - known);
         if self.exploration.is_unrewarded() {
-            journal.raised();
+            journal.raised(false);
         }
         observed.map_err(value_error)
     }
@@ -324,7 +324,7 @@ impl PyEngine {
                 left -= made;
                 journal.made(made);
                 if done.is_err() && self.exploration.is_unrewarded() {
-                    journal.raised();
+                    journal.raised(false);
                 }
                 done.map_err(value_error)?;
             }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyString, PyTuple};
 
 use crate::trial::PyTrial;
 
@@ -20,13 +20,15 @@ const FAIL: i64 = 3;
 /// How many earlier evaluations were added.
 const PAST: i64 = 4;
 
-/// Added to an event: the strategy raised an exception (at the last of several trials).
+/// Added to an event: the strategy raised an exception (at the last of several trials); was
+/// interrupted, by what is no exception of its own.
 const RAISED: i64 = 8;
+const INTERRUPTED: i64 = 16;
 const SHIFT: u32 = 5;
 
 /// Who failed: the number of the trial, its command, the reason, the path, and how many effects had
 /// been observed by then.
-type Failed = (usize, Py<PyAny>, String, Py<PyTuple>, usize);
+type Failed = (usize, Py<PyAny>, Py<PyString>, Py<PyTuple>, usize);
 
 /// All that happened to an explorer, in order: eight bytes an event.
 ///
@@ -88,7 +90,7 @@ impl PyJournal {
     /// reason, the path, and how many effects had been observed by then.
     fn failures(&self, py: Python<'_>, first: usize) -> Vec<Failed> {
         let copy = |(number, command, reason, path, place): &Failed| {
-            (*number, command.clone_ref(py), reason.clone(), path.clone_ref(py), *place)
+            (*number, command.clone_ref(py), reason.clone_ref(py), path.clone_ref(py), *place)
         };
         self.failures.iter().skip(first).map(copy).collect()
     }
@@ -130,7 +132,7 @@ impl PyJournal {
     pub fn failed(
         &mut self,
         trial: &Bound<'_, PyTrial>,
-        reason: String,
+        reason: Py<PyString>,
         place: usize,
     ) -> PyResult<()> {
         let number = self.find(trial)?;
@@ -147,15 +149,19 @@ impl PyJournal {
         self.note(PAST, count);
     }
 
-    /// Note that the strategy could not propose.
-    pub fn refused(&mut self) {
-        self.events.push(ASK | RAISED);
+    /// Note that the strategy raised an exception, or was interrupted, instead of proposing.
+    #[pyo3(signature = (interrupted=false))]
+    pub fn refused(&mut self, interrupted: bool) {
+        self.events.push(ASK);
+        self.raised(interrupted);
     }
 
-    /// Note that the strategy raised an exception when it learned of the newest event.
-    pub fn raised(&mut self) {
+    /// Note that the strategy raised an exception, or was interrupted, when it learned of the
+    /// newest event.
+    #[pyo3(signature = (interrupted=false))]
+    pub fn raised(&mut self, interrupted: bool) {
         if let Some(event) = self.events.last_mut() {
-            *event |= RAISED;
+            *event |= if interrupted { INTERRUPTED } else { RAISED };
         }
     }
 }

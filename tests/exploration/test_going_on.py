@@ -189,11 +189,11 @@ def test_nothing_is_pickled(tmp_path):
     explorer = new_explorer(compositions()["adapt of adapts"])
     live(explorer, np.random.default_rng(0), 10)
     explorer.save(tmp_path / "run")
+    arrays = 0
     with (tmp_path / "run").open("rb") as file:
-        with pytest.raises(EOFError):
-            while True:
-                assert not np.load(file, allow_pickle=False).dtype.hasobject
-        assert file.read() == b""
+        while file.peek():
+            arrays += not np.load(file, allow_pickle=False).dtype.hasobject
+    assert arrays == 16
 
 
 def blocks(path):

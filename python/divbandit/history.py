@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from divbandit.exploration import Exploration
+    from divbandit.measures import Measure
 
 
 class Failure(NamedTuple):
@@ -86,6 +87,8 @@ class History:
         )
         #: That of the explorer whose history this is.
         self._journal: _core.Journal | None = None
+        #: The names of its strategies, and what they were rewarded by.
+        self._explored_by: tuple[tuple[str, ...], Measure | None] = ((), None)
         goals = self.sensory_space
         self._log = _core.History(self.motor_space.bounds, None if goals is None else goals.bounds)
         # Copies of the log in NumPy's memory, as far as it has been read.

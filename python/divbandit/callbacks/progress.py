@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 #: The longest time, in seconds, for which effects are measured before the bar is drawn.
 _MEASURING = 0.01
 
+#: The same when it is drawn for the last time.
+_LAST_MEASURING = 1.0
+
 
 @dataclass(frozen=True, init=False, repr=False)
 class Progress(Value):
@@ -105,16 +108,16 @@ class _Bar:
     def close(self) -> None:
         """Draw the bar for the last time."""
         try:
-            self._count()
+            self._count(_LAST_MEASURING)
         finally:
             self._bar.close()
 
-    def _count(self) -> None:
+    def _count(self, within: float = _MEASURING) -> None:
         history, bar = self._history, self._bar
         failed = len(history.failures)
         text = f"{failed - self._failed_before} failed"
         if self._diversity is not None:
-            text += f", {self._name} {self._diversity.now(within=_MEASURING):.4g}"
+            text += f", {self._name} {self._diversity.now(within=within):.4g}"
             if len(self._diversity) < len(history):
                 text += f" of the first {len(self._diversity)}"
         bar.set_postfix_str(text, refresh=False)

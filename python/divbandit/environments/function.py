@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from divbandit._checks import truth
+from divbandit._core import as_point
 from divbandit._value import Value
 from divbandit.box import Box, BoxLike, box_or_none
 from divbandit.environments._one_by_one import one_by_one
@@ -33,11 +34,15 @@ class FunctionEnvironment(Value):
         A box in S to draw goals from. Without it, goal babbling needs its own goals.
     scalars : bool
         Whether `f` takes the m numbers of a command as m arguments, each a float.
+    vectorized : bool
+        Whether `f` takes many commands at once, an array of shape (n, m), and returns their
+        effects, one of shape (n, s), or (n,) where s is 1. `explore` calls it so with ``batch=``.
 
     Raises
     ------
     TypeError, ValueError
-        If `f` is not callable, or a space is not a box.
+        If `f` is not callable, or a space is not a box, or `scalars` and `vectorized` are both
+        true.
 
     Examples
     --------
@@ -48,12 +53,17 @@ class FunctionEnvironment(Value):
     >>> hill = db.FunctionEnvironment(lambda x, y: x * y, db.Box([-1, -1], [1, 1]), scalars=True)
     >>> hill([0.5, 0.5])
     array([0.25])
+    >>> norms = db.FunctionEnvironment(
+    ...     lambda x: (x**2).sum(axis=1), db.Box([-1, -1], [1, 1]), vectorized=True
+    ... )
+    >>> run = db.explore(norms, db.MotorBabbling(), 100, rng=0, batch=20)  # calls it 5 times
     """
 
     f: Callable[..., ArrayLike]
     motor_space: Box
     sensory_space: Box | None
     scalars: bool
+    vectorized: bool
 
     def __init__(
         self,
@@ -62,6 +72,7 @@ class FunctionEnvironment(Value):
         sensory_space: BoxLike | None = None,
         *,
         scalars: bool = False,
+        vectorized: bool = False,
     ) -> None:
         if not callable(f):
             raise TypeError(f"f must be callable, got {type(f).__name__}")
@@ -70,10 +81,13 @@ class FunctionEnvironment(Value):
             motor_space=Box.of(motor_space, name="motor_space"),
             sensory_space=box_or_none("sensory_space", sensory_space),
             scalars=truth("scalars", scalars),
+            vectorized=truth("vectorized", vectorized),
         )
+        if scalars and vectorized:
+            raise ValueError("scalars and vectorized must not both be True")
 
     def __call__(self, command: ArrayLike) -> NDArray[np.float64]:
-        """Return the effect of one command, or the effects of many, one by one.
+        """Return the effect of one command, or the effects of many.
 
         Parameters
         ----------
@@ -97,7 +111,25 @@ class FunctionEnvironment(Value):
         array([[1.],
                [2.]])
         """
+        if self.vectorized:
+            return self._at_once(command)
         return one_by_one(self._effect, command, self.motor_space, self.sensory_space)
+
+    def _at_once(self, command: ArrayLike) -> NDArray[np.float64]:
+        commands = self.motor_space.bounds.commands(command)
+        rows = commands.reshape(-1, self.motor_space.dim)
+        effects = self.f(rows)
+        if np.shape(effects)[:1] != (len(rows),):
+            raise ValueError(
+                f"f must return an effect for each of the {len(rows)} commands, "
+                f"got an array of shape {np.shape(effects)}"
+            )
+        if np.ndim(effects) == 1:
+            effects = np.reshape(effects, (-1, 1))
+        length = None if self.sensory_space is None else self.sensory_space.dim
+        checked = [as_point("effect", effect, length) for effect in effects]  # type: ignore[union-attr]
+        found = np.array(checked).reshape(len(rows), -1)
+        return found[0] if commands.ndim == 1 else found
 
     def _effect(self, command: NDArray[np.float64]) -> ArrayLike:
         effect = self.f(*command.tolist()) if self.scalars else self.f(command)

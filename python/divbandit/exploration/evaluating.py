@@ -8,10 +8,11 @@ from __future__ import annotations
 import pickle
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    import numpy as np
     from numpy.typing import NDArray
 
     from divbandit.environments import Environment
@@ -32,13 +33,13 @@ def evaluate(
     Examples
     --------
     >>> import divbandit as db
-    >>> box = db.FunctionEnvironment(lambda x: 1 / x[0], db.Box([0], [1]))
+    >>> box = db.FunctionEnvironment(lambda x: 1 / float(x[0]), db.Box([0], [1]))
     >>> [outcome.error for outcome in evaluate(box, [[0.5], [0]])]
-    [None, ZeroDivisionError('division by zero')]
+    [None, ZeroDivisionError('float division by zero')]
     """
     if len(commands) > 1 and getattr(environment, "vectorized", False):
         try:
-            return [Outcome(effect) for effect in environment.many(commands)]  # type: ignore[attr-defined]
+            return [Outcome(effect) for effect in np.asarray(environment(np.stack(commands)))]
         except Exception:  # noqa: BLE001, S110 - which of them it was, is found one by one
             pass
     outcomes = []

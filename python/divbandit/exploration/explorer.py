@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, overload
 
 from divbandit._checks import generator, one_of, truth, whole
 from divbandit._core import Journal, Trial, as_point, undisturbed
+from divbandit.bandits.rewards import Gain
 from divbandit.exploration import running, saved
 from divbandit.exploration.drivers import ENGINES, check_dim, driver_of
 from divbandit.exploration.result import Exploration
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from divbandit.exploration.drivers import EngineName
     from divbandit.exploration.running import OnError
     from divbandit.exploration.watching import Every
+    from divbandit.measures import Measure
 
     Past = Exploration | tuple[ArrayLike, ArrayLike]
 
@@ -101,6 +103,7 @@ class Explorer:
         )
         self._rng = generator(rng)
         self._given = strategy
+        history._explored_by = _names_and_measure(strategy)  # noqa: SLF001 - for its result
         self._journal = history._journal = Journal()  # noqa: SLF001 - nothing else writes to it
         self._began = saved.state_of(self._rng)
         driver = self._driver = driver_of(strategy, history, self._journal, self._rng, engine)
@@ -514,6 +517,13 @@ class Explorer:
 
     def __repr__(self) -> str:
         return f"<Explorer of {self._given!r} after {counted(self.history)}>"
+
+
+def _names_and_measure(strategy: Strategy) -> tuple[tuple[str, ...], Measure | None]:
+    parts = getattr(strategy, "strategies", None) or [strategy]
+    reward = getattr(strategy, "rewarding", None)
+    measure = reward.measure if isinstance(reward, Gain) else None
+    return tuple(type(part).__name__ for part in parts), measure
 
 
 def _commands_and_effects(past: object) -> tuple[ArrayLike, ArrayLike]:

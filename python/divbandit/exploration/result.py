@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
@@ -9,13 +10,16 @@ import numpy as np
 
 from divbandit import _files
 from divbandit._checks import whole
+from divbandit._recipe import NoRecipeError, made_from, recipe_of
 from divbandit.box import Box
+from divbandit.exploration.describing import described
 from divbandit.history import Failure, counted
 from divbandit.measures import BallCoverage
 from divbandit.measures.start import check_measure, start_measure
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
@@ -47,6 +51,10 @@ class Exploration:
         were added); None where the strategy is not a bandit.
     failures : tuple of Failure
         The failed evaluations; they are not among the n.
+    names : tuple of str
+        The strategies among which the top-level one chose, by class; its own if it has no parts.
+    measure : Measure or None
+        What the top-level bandit was rewarded by, if it was a gain in diversity.
 
     Examples
     --------
@@ -63,6 +71,8 @@ class Exploration:
     paths: NDArray[np.int64]
     estimates: NDArray[np.float64] | None
     failures: tuple[Failure, ...] = ()
+    names: tuple[str, ...] = ()
+    measure: Measure | None = None
 
     def __post_init__(self) -> None:
         if self.commands is None:
@@ -100,6 +110,7 @@ class Exploration:
             paths,
             estimates,
             history.failures,
+            *history._explored_by,  # noqa: SLF001 - its explorer wrote it there
         )
 
     def __len__(self) -> int:
@@ -115,6 +126,46 @@ class Exploration:
         if self.paths.shape[1] == 0:
             return np.zeros(len(self), dtype=np.int64)
         return self.paths[:, 0]
+
+    def describe(
+        self, *, measure: Measure | None = None, names: Sequence[str] | None = None
+    ) -> str:
+        """Return a summary to print: evaluations, failures, effects, and what each strategy did.
+
+        Parameters
+        ----------
+        measure : Measure, optional
+            By what to count gains; by default what the bandit was rewarded by. Without either there
+            are no gains.
+        names : sequence of str, optional
+            What to call the top-level strategies; by default by their classes.
+
+        Returns
+        -------
+        str
+            A few lines. *Use* is a strategy's share of the evaluations, *gain* the diversity that
+            its effects have added, in the units of the measure.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `measure` is not a measure, or `names` are not as many as the strategies.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
+        >>> run = db.explore(db.PlanarArm(20), adapt, n=500, rng=0)
+        >>> print(run.describe(names=["motor", "goal"]))
+        500 evaluations, 500 distinct effects
+        strategy     use    gain
+        motor     46.2 %  0.1995
+        goal      53.8 %  0.2717
+        gain of BallCoverage(0.02): 0.4712 in all
+        """
+        if measure is not None:
+            check_measure("measure", measure)
+        return described(self, self.measure if measure is None else measure, names)
 
     def diversity(self, measure: Measure) -> NDArray[np.float64]:
         """Return the diversity after each step, by any measure.
@@ -222,6 +273,11 @@ class Exploration:
             arrays["sensory_space"] = np.array([box.low, box.high])
         if self.estimates is not None:
             arrays["estimates"] = self.estimates
+        if self.names:
+            arrays["names"] = _files.from_json(self.names)
+        with suppress(NoRecipeError):  # a user's own measure is not saved
+            if self.measure is not None:
+                arrays["measure"] = _files.from_json(recipe_of(self.measure))
         if self.failures:
             arrays["failed_commands"] = np.array([failure.command for failure in self.failures])
             arrays["failed_why"] = _files.from_json([failure[1:] for failure in self.failures])
@@ -286,6 +342,10 @@ class Exploration:
             paths,
             estimates,
             _failures(arrays, motor_space.dim),
+            tuple(map(str, _files.to_json(arrays, "names"))) if "names" in arrays else (),
+            check_measure("measure", made_from(_files.to_json(arrays, "measure")))
+            if "measure" in arrays
+            else None,
         )
 
 

@@ -42,7 +42,9 @@ pub(crate) struct BlackBox<'py> {
 impl<'py> BlackBox<'py> {
     /// Any environment; the function of a `FunctionEnvironment` is called itself.
     pub fn of(environment: &Bound<'py, PyAny>) -> PyResult<Self> {
-        if class_of(environment)?.as_deref() == Some("FunctionEnvironment") {
+        if class_of(environment)?.as_deref() == Some("FunctionEnvironment")
+            && !environment.getattr("vectorized")?.is_truthy()?
+        {
             let scalars = environment.getattr("scalars")?.extract()?;
             return Ok(Self { call: environment.getattr("f")?, scalars, numbers: true });
         }

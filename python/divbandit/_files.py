@@ -1,7 +1,11 @@
-"""Files of arrays: NumPy's npz with its format's name and version in it, and nothing pickled."""
+"""Files of arrays: NumPy's npz with its format's name and version in it, and nothing pickled.
+
+And tables of text, as CSV.
+"""
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import secrets
@@ -13,7 +17,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, TypeVar, cast
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -112,3 +116,11 @@ def array(
             f"{name} must be {dtype.__name__} of shape {shape}, got {array.dtype} {array.shape}"
         )
     return array
+
+
+def write_csv(path: Path, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    """Write a table with its head as CSV."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(rows)

@@ -11,32 +11,37 @@ from divbandit.studies.contenders import CONTENDERS, PAPER, RIVALS
 from divbandit.studies.processes import over_processes
 from divbandit.studies.repeating import Repeating
 
-CASES = [
-    Case(db.MotorBabbling(), at=(10, 40), place=(0,)),
-    Case(setting.adapt(0.05), at=(10, 40), place=(1,)),
-]
+CASES = {
+    "motor": Case(db.MotorBabbling(), at=(10, 40), place=(0,)),
+    "adapt": Case(setting.adapt(0.05), at=(10, 40), place=(1,)),
+}
 
 
 def test_an_outcome_is_the_coverage_of_its_explorations():
-    for case, outcome in zip(CASES, outcomes(CASES, seed=5, repetitions=3, jobs=1), strict=True):
+    found = outcomes(CASES, seed=5, repetitions=3, jobs=1)
+    assert found.keys() == CASES.keys()
+    for name, outcome in found.items():
+        case = CASES[name]
         for repetition in range(3):
             seed = setting.seed_of(5, *case.place, repetition)
             run = db.explore(setting.arm(), case.strategy, 40, rng=seed)
             covered = run.coverage(setting.TAU)[[9, 39]]
             np.testing.assert_allclose(outcome.values[repetition], covered, rtol=1e-13)
+            if repetition == 0:
+                np.testing.assert_array_equal(outcome.example, run.effects)
 
 
 def test_means_and_deviations_are_over_repetitions():
-    outcome = Outcome(np.array([[1.0, 2.0], [3.0, 6.0]]))
-    assert outcome.means.tolist() == [2.0, 4.0]
-    assert outcome.deviations.tolist() == [1.0, 2.0]
+    outcome = Outcome(CASES["motor"], 0, np.array([[1.0, 2.0], [3.0, 6.0]]))
+    assert outcome.summary.tolist() == [[2.0, 1.0], [4.0, 2.0]]
     assert (outcome.mean, outcome.deviation) == (4.0, 2.0)
 
 
 def test_the_number_of_processes_changes_nothing():
     one, two = (outcomes(CASES, seed=1, repetitions=2, jobs=jobs) for jobs in (1, 2))
-    for left, right in zip(one, two, strict=True):
-        np.testing.assert_array_equal(left.values, right.values)
+    assert one.keys() == two.keys()
+    for name, outcome in one.items():
+        np.testing.assert_array_equal(outcome.values, two[name].values)
 
 
 def test_what_a_process_raises_is_raised():
@@ -63,27 +68,27 @@ def test_no_two_contenders_have_a_name_in_common():
 
 
 def test_the_mixtures_are_those_of_figure_4():
-    rows = rules.run(2, steps=60, repetitions=2, jobs=1)
+    found = outcomes(rules.cases(60), seed=2, repetitions=2, jobs=1)
     points = {(p.d, repr(p.motor_ratio)): p.mean for p in figure4.run(2, n=60, repetitions=2)}
-    mixtures = [row for row in rows if row.name == "mixture"]
+    mixtures = {(d, parts): each for (d, name, parts), each in found.items() if name == "mixture"}
     assert len(mixtures) == 63
-    for row in mixtures:
-        assert row.outcome.mean == pytest.approx(points[row.d, row.parts], rel=1e-12)
+    for key, outcome in mixtures.items():
+        assert outcome.mean == pytest.approx(points[key], rel=1e-12)
 
 
 def test_the_best_mixture_is_the_bar():
-    def row(name, parts, value):
-        return rules.Row(0.001, name, parts, Outcome(np.array([[value]])))
-
-    rows = [row("a", "", 1.9), row("mixture", "0.0", 2.0), row("mixture", "0.5", 1.0)]
-    rows.append(row("hindsight", "", 3.0))
-    for d in setting.PERTURBATIONS[1:]:
-        rows += [rules.Row(d, each.name, each.parts, each.outcome) for each in rows[:4]]
-    panel = rules.panels(rows)[0]
-    assert panel.best.parts == "0.0"
-    assert [each.name for each in panel.bandits] == ["a"]
+    reached = {"mixture": 1.0, "hindsight": 3.0}
+    found = {
+        key: Outcome(case, 0, np.array([[reached.get(key[1], 1.9)]]))
+        for key, case in rules.cases(5).items()
+    }
+    best = (0.001, "mixture", "0.35")
+    found[best] = Outcome(found[best].case, 0, np.array([[2.0]]))
+    panel = rules.panels(found)[0]
+    assert (panel.d, panel.ratio, panel.best.mean) == (0.001, 0.35, 2.0)
+    assert [each.case.place for each in panel.bandits] == [(5, 0, j) for j in range(16)]
     assert panel.relative(panel.bandits[0]) == pytest.approx(-0.05)
-    assert panel.hindsight.outcome.mean == 3.0
+    assert panel.hindsight.mean == 3.0
 
 
 def test_good_strategies_are_spread_geometrically():
@@ -119,6 +124,6 @@ def test_repeating_has_one_effect():
 
 
 def test_compositions_differ_from_each_other():
-    rows = composition.run(0, steps=300, repetitions=1, jobs=1)
-    assert [row.at for row in rows] == [(60, 150, 300)] * len(rows)
-    assert len({row.outcome.mean for row in rows}) == len(rows)
+    found = outcomes(composition.cases(300), seed=0, repetitions=1, jobs=1)
+    assert {each.case.at for each in found.values()} == {(60, 150, 300)}
+    assert len({each.mean for each in found.values()}) == len(found)

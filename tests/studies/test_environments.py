@@ -10,13 +10,9 @@ plt = pytest.importorskip("matplotlib.pyplot")
 
 
 def test_a_legend_names_what_is_in_the_scene_and_the_best_mixture():
-    effects = np.random.default_rng(0).uniform(-0.3, 0.3, (10, 2))
-    rows = [
-        environments.Row(world.name, name, Outcome(np.array([[1.0], [2.0]])), 10, effects)
-        for world in environments.worlds()
-        for name in environments.contenders(world.tau)
-    ]
-    figures = environments.draw(rows)
+    values = np.array([[1.0], [2.0]])
+    found = {key: Outcome(case, 0, values) for key, case in environments.cases(10).items()}
+    figures = environments.draw(found)
     named = {
         name: [text.get_text() for text in figure.legends[0].get_texts()]
         for name, figure in figures.items()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -27,7 +27,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     2
     """
     try:
-        options = _parser().parse_args(arguments)
+        options = vars(_parser().parse_args(arguments))
     except SystemExit as end:  # argparse has said why, or printed the help
         return int(end.code or 0)
     try:
@@ -38,13 +38,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     mpl.use("Agg")
     try:
-        return int(options.run(options))
+        options.pop("run")(**options, bar=_bar)
     except OSError as error:
         print(f"divbandit: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print("divbandit: interrupted", file=sys.stderr)
         return 130
+    print(f"written to {options['out']}")
+    return 0
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -125,38 +127,18 @@ def _from(low: int, high: int | None = None) -> Callable[[str], int]:
     return read
 
 
-def _reproduce(options: argparse.Namespace) -> int:
+def _reproduce(*, figures: list[int], **options: Any) -> None:  # noqa: ANN401 - checked there
     from divbandit.paper import comparison, reproduce  # noqa: PLC0415 - only now needed
 
-    compared = reproduce(
-        options.figures or (1, 2, 3, 4),
-        out=options.out,
-        repetitions=options.repetitions,
-        seed=options.seed,
-        jobs=options.jobs,
-        bar=_bar,
-    )
+    compared = reproduce(figures or (1, 2, 3, 4), **options)
     if compared:
         print(comparison.table(compared))
-    print(f"written to {options.out}")
-    return 0
 
 
-def _study(options: argparse.Namespace) -> int:
+def _study(**options: Any) -> None:  # noqa: ANN401 - checked there
     from divbandit.studies import study  # noqa: PLC0415 - only now needed
 
-    table = study(
-        options.name,
-        out=options.out,
-        repetitions=options.repetitions,
-        steps=options.steps,
-        seed=options.seed,
-        jobs=options.jobs,
-        bar=_bar,
-    )
-    print(table)
-    print(f"written to {options.out}")
-    return 0
+    print(study(**options))
 
 
 @contextmanager

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from divbandit._files import write_csv
 from divbandit.paper import figure4
 
 if TYPE_CHECKING:
@@ -74,35 +74,24 @@ def compare(points: Iterable[figure4.Point], repetitions: int) -> list[Compariso
 
 def save(comparisons: Iterable[Comparison], path: Path) -> None:
     """Write the comparison as CSV."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(
-            [
-                "d",
-                "strategy",
-                "motor_ratio",
-                "mean",
-                "std",
-                "archived_mean",
-                "archived_std",
-                "difference_in_standard_errors",
-            ]
-        )
-        for c in comparisons:
-            name, ratio = _named(c.point)
-            row = [c.point.mean, c.point.std, c.archived.mean, c.archived.std]
-            numbers = [f"{number:.6f}" for number in row]
-            writer.writerow([c.point.d, name, ratio, *numbers, f"{c.difference:+.3f}"])
+    rows = []
+    for c in comparisons:
+        numbers = (c.point.mean, c.point.std, c.archived.mean, c.archived.std)
+        named = (c.point.d, c.point.strategy, _ratio(c))
+        rows.append([*named, *(f"{each:.6f}" for each in numbers), f"{c.difference:+.3f}"])
+    names = ("d", "strategy", "motor_ratio")
+    numbers_of = ("mean", "std", "archived_mean", "archived_std", "difference_in_standard_errors")
+    write_csv(path, (*names, *numbers_of), rows)
 
 
 def table(comparisons: Sequence[Comparison]) -> str:
     """Return the comparison as text, with last lines that count the outliers."""
     lines = ["    d  strategy        mean     std   archive     std  difference (std. errors)"]
     for c in comparisons:
-        name, ratio = _named(c.point)
         mark = " **" if c.beyond(4) else " *" if c.beyond(2) else ""
         lines.append(
-            f"{c.point.d:5}  {name:7} {ratio:4}  {c.point.mean:8.4f} {c.point.std:7.4f}  "
+            f"{c.point.d:5}  {c.point.strategy:7} {_ratio(c):4}  "
+            f"{c.point.mean:8.4f} {c.point.std:7.4f}  "
             f"{c.archived.mean:8.4f} {c.archived.std:7.4f}  {c.difference:+6.2f}{mark}"
         )
     for errors, mark in ((2, "*"), (4, "**")):
@@ -115,5 +104,6 @@ def table(comparisons: Sequence[Comparison]) -> str:
     return "\n".join(lines)
 
 
-def _named(point: figure4.Point) -> tuple[str, str]:
-    return ("adapt", "") if point.motor_ratio is None else ("mixture", f"{point.motor_ratio:.2f}")
+def _ratio(comparison: Comparison) -> str:
+    ratio = comparison.point.motor_ratio
+    return "" if ratio is None else f"{ratio:.2f}"

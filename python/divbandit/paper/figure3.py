@@ -50,18 +50,16 @@ def run(
         for repetition in range(repetitions)
     )
     shown: dict[int, Exploration] = {}
-    choices: dict[int, NDArray[np.int64]] = {}
+    shares = np.empty((len(setting.PERTURBATIONS), repetitions, n))
     for place, exploration in explore_many(tasks, jobs=jobs, progress=progress):
-        choices[place] = exploration.choices
-        if place % repetitions == 0:
-            shown[place] = exploration
-    rows = []
-    for index, d in enumerate(setting.PERTURBATIONS):
-        first = index * repetitions
-        of_d = (choices[place] for place in range(first, first + repetitions))
-        shares = [usage_of(chosen, strategies=2)[:, 0] for chosen in of_d]
-        rows.append(Row(d, shown[first], np.mean(shares, axis=0), repetitions))
-    return rows
+        index, repetition = divmod(place, repetitions)
+        shares[index, repetition] = usage_of(exploration.choices, strategies=2)[:, 0]
+        if repetition == 0:
+            shown[index] = exploration
+    return [
+        Row(d, shown[index], shares[index].mean(axis=0), repetitions)
+        for index, d in enumerate(setting.PERTURBATIONS)
+    ]
 
 
 def draw(rows: Sequence[Row]) -> Figure:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import csv
 from dataclasses import dataclass
 from importlib import resources
+from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from divbandit._files import write_csv
 from divbandit.experiments import Task, explore_many
 from divbandit.measures import coverage
 from divbandit.paper import setting
@@ -39,6 +41,11 @@ class Point:
         """What tells the points apart."""
         return self.d, self.motor_ratio
 
+    @property
+    def strategy(self) -> str:
+        """What kind of strategy it is."""
+        return "adapt" if self.motor_ratio is None else "mixture"
+
 
 _STRATEGIES: tuple[float | None, ...] = (None, *setting.RATIOS)
 
@@ -61,10 +68,10 @@ def run(
     final = np.empty(explorations(repetitions))
     for place, reached in explore_many(tasks, keep=_diversity, jobs=jobs, progress=progress):
         final[place] = reached
-    keys = [(d, ratio) for d in setting.PERTURBATIONS for ratio in _STRATEGIES]
+    keys = product(setting.PERTURBATIONS, _STRATEGIES)
     return [
-        Point(d, ratio, float(of_point.mean()), float(of_point.std()))
-        for (d, ratio), of_point in zip(keys, final.reshape(-1, repetitions), strict=True)
+        Point(*key, float(of_point.mean()), float(of_point.std()))
+        for key, of_point in zip(keys, final.reshape(-1, repetitions), strict=True)
     ]
 
 
@@ -111,20 +118,6 @@ def draw(points: Sequence[Point]) -> Figure:
 def archive() -> list[Point]:
     """Return the paper's archived results (25 repetitions, discs drawn as 64-gons)."""
     file = resources.files("divbandit.paper") / "archived_figure4.csv"
-    return _points(file.read_text(encoding="utf-8").splitlines())
-
-
-def save(points: Iterable[Point], path: Path) -> None:
-    """Write points as CSV: d, strategy, motor_ratio, mean, std."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["d", "strategy", "motor_ratio", "mean", "std"])
-        for p in points:
-            name, ratio = ("adapt", "") if p.motor_ratio is None else ("mixture", p.motor_ratio)
-            writer.writerow([p.d, name, ratio, repr(p.mean), repr(p.std)])
-
-
-def _points(lines: Iterable[str]) -> list[Point]:
     return [
         Point(
             float(row["d"]),
@@ -132,5 +125,13 @@ def _points(lines: Iterable[str]) -> list[Point]:
             float(row["mean"]),
             float(row["std"]),
         )
-        for row in csv.DictReader(lines)
+        for row in csv.DictReader(file.read_text(encoding="utf-8").splitlines())
     ]
+
+
+def save(points: Iterable[Point], path: Path) -> None:
+    """Write points as CSV: d, strategy, motor_ratio, mean, std."""
+    columns = ("d", "strategy", "motor_ratio", "mean", "std")
+    write_csv(
+        path, columns, ([p.d, p.strategy, p.motor_ratio, repr(p.mean), repr(p.std)] for p in points)
+    )

@@ -74,15 +74,8 @@ def reproduce(
     if not isinstance(figures, Iterable):
         raise TypeError(f"figures must be numbers of figures, got {type(figures).__name__}")
     wanted = sorted({whole("figures", figure, low=1, high=len(FIGURES)) for figure in figures})
-    if not isinstance(out, (str, os.PathLike)):
-        raise TypeError(f"out must be a path, got {type(out).__name__}")
-    whole("repetitions", repetitions, low=1)
-    whole("seed", seed, low=0)
-    if jobs is not None:
-        whole("jobs", jobs, low=1)
-    folder = Path(out)
-    folder.mkdir(parents=True, exist_ok=True)
-    bar = _no_bar if bar is None else bar
+    folder = folder_for(out, repetitions=repetitions, seed=seed, jobs=jobs)
+    bar = bar or no_bar
     compared: list[comparison.Comparison] = []
     count = len(setting.PERTURBATIONS)
     with style.printed():
@@ -108,5 +101,21 @@ def reproduce(
     return compared
 
 
-def _no_bar(_name: str, _total: int) -> AbstractContextManager[Progress]:
+def folder_for(
+    out: str | os.PathLike[str], *, repetitions: int, seed: int, jobs: int | None
+) -> Path:
+    """Return the folder for files, made if it is not there, once all arguments are checked."""
+    if not isinstance(out, (str, os.PathLike)):
+        raise TypeError(f"out must be a path, got {type(out).__name__}")
+    whole("repetitions", repetitions, low=1)
+    whole("seed", seed, low=0)
+    if jobs is not None:
+        whole("jobs", jobs, low=1)
+    folder = Path(out)
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def no_bar(_name: str, _total: int) -> AbstractContextManager[Progress]:
+    """Open no progress bar."""
     return nullcontext(lambda: None)

@@ -6,10 +6,11 @@ The colours are those of Okabe and Ito, told apart by colour-blind readers.
 from __future__ import annotations
 
 from contextlib import contextmanager
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
     from pathlib import Path
 
     from matplotlib.axes import Axes
@@ -51,6 +52,13 @@ def line_of(index: int) -> tuple[str, str]:
 def with_unit(label: str, unit: str) -> str:
     """Return an axis label with its unit, if there is one."""
     return f"{label} ({unit})" if unit else label
+
+
+def legend_below(figure: Figure, every: Iterable[Axes]) -> None:
+    """Name, below a figure and in one row, what is drawn in some of its axes."""
+    shown = [ax.get_legend_handles_labels() for ax in every]
+    handles, labels = (list(chain.from_iterable(each)) for each in zip(*shown, strict=True))
+    figure.legend(handles, labels, frameon=False, loc="outside lower center", ncols=len(labels))
 
 
 @contextmanager

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from itertools import islice
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from divbandit.paper import setting
 from divbandit.studies.processes import over_processes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping
 
     from numpy.random import SeedSequence
     from numpy.typing import NDArray
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 
     #: Explores an environment with a strategy for n steps and returns the effects.
     Method = Callable[[Environment, Any, int, SeedSequence], NDArray[np.float64]]
+
+Key = TypeVar("Key")
 
 
 def explored(
@@ -69,6 +72,11 @@ class Case:
     environment: Environment = setting.arm()  # noqa: RUF009 - never changes
     tau: float = setting.TAU
 
+    def explore(self, seed: int, repetition: int) -> NDArray[np.float64]:
+        """Return the effects of one repetition."""
+        rng = setting.seed_of(seed, *self.place, repetition)
+        return self.method(self.environment, self.strategy, self.at[-1], rng)
+
 
 @dataclass(frozen=True)
 class Outcome:
@@ -76,46 +84,52 @@ class Outcome:
 
     Attributes
     ----------
+    case : Case
+    seed : int
+        That of all cases.
     values : numpy.ndarray of float64, shape (repetitions, k)
         The coverage of each after each of k steps, in square metres.
     """
 
+    case: Case
+    seed: int
     values: NDArray[np.float64]
 
     @property
-    def means(self) -> NDArray[np.float64]:
-        """The mean after each of the steps, shape (k,)."""
-        return np.asarray(self.values.mean(axis=0))
-
-    @property
-    def deviations(self) -> NDArray[np.float64]:
-        """The population standard deviation after each of the steps, shape (k,)."""
-        return np.asarray(self.values.std(axis=0))
+    def summary(self) -> NDArray[np.float64]:
+        """Mean and population standard deviation after each of the steps, shape (k, 2)."""
+        return np.stack([self.values.mean(axis=0), self.values.std(axis=0)], axis=1)
 
     @property
     def mean(self) -> float:
         """The mean in the end."""
-        return float(self.means[-1])
+        return float(self.summary[-1, 0])
 
     @property
     def deviation(self) -> float:
         """The population standard deviation in the end."""
-        return float(self.deviations[-1])
+        return float(self.summary[-1, 1])
+
+    @property
+    def example(self) -> NDArray[np.float64]:
+        """The effects of the first repetition, explored again."""
+        return self.case.explore(self.seed, 0)
 
 
 def outcomes(
-    cases: Sequence[Case],
+    cases: Mapping[Key, Case],
     *,
     seed: int,
     repetitions: int,
     jobs: int | None = None,
     progress: Progress | None = None,
-) -> list[Outcome]:
+) -> dict[Key, Outcome]:
     """Explore each case `repetitions` times.
 
     Parameters
     ----------
-    cases : sequence of Case
+    cases : mapping of Case
+        By what tells them apart.
     seed : int
         All randomness comes from it and from the places of the cases.
     repetitions : int
@@ -129,26 +143,21 @@ def outcomes(
     --------
     >>> import divbandit as db
     >>> case = Case(db.MotorBabbling(), at=(50, 100), place=(0,))
-    >>> [outcome] = outcomes([case], seed=0, repetitions=3, jobs=1)
-    >>> outcome.values.shape
+    >>> outcomes({"motor": case}, seed=0, repetitions=3, jobs=1)["motor"].values.shape
     (3, 2)
     """
-    items = [
-        (case, setting.seed_of(seed, *case.place, repetition))
-        for case in cases
-        for repetition in range(repetitions)
-    ]
-    reached = over_processes(_reached, items, jobs=jobs, progress=progress)
-    return [
-        Outcome(np.array(reached[first : first + repetitions]))
-        for first in range(0, len(items), repetitions)
-    ]
+    items = [(case, seed, place) for case in cases.values() for place in range(repetitions)]
+    reached = iter(over_processes(_reached, items, jobs=jobs, progress=progress))
+    return {
+        key: Outcome(case, seed, np.array(list(islice(reached, repetitions))))
+        for key, case in cases.items()
+    }
 
 
-def _reached(item: tuple[Case, SeedSequence]) -> list[float]:
+def _reached(item: tuple[Case, int, int]) -> list[float]:
     """Return the coverages that one exploration reaches."""
-    case, seed = item
-    effects = case.method(case.environment, case.strategy, case.at[-1], seed)
+    case, seed, repetition = item
+    effects = case.explore(seed, repetition)
     measured = Coverage(case.tau)
     reached = []
     for count in case.at:

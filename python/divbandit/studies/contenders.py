@@ -5,28 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from divbandit.bandits import (
-    UCB,
-    Bandit,
-    Discounted,
-    EpsilonGreedy,
-    Exp3,
-    Exp3S,
-    Proportional,
-    RecentWindow,
-    RoundRobin,
-    Softmax,
-    Thompson,
-    Uniform,
-    WholePast,
-    Window,
-)
+from divbandit import bandits
 from divbandit.paper import setting
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from divbandit.bandits import Estimator, Policy
     from divbandit.strategies import Strategy
 
 
@@ -42,10 +26,15 @@ class Contender:
     """
 
     name: str
-    estimator: Estimator
-    policy: Policy
+    estimator: bandits.Estimator
+    policy: bandits.Policy
 
-    def over(self, strategies: Iterable[Strategy]) -> Bandit:
+    @property
+    def parts(self) -> str:
+        """What it is made of."""
+        return f"{self.estimator!r}, {self.policy!r}"
+
+    def over(self, strategies: Iterable[Strategy]) -> bandits.Bandit:
         """Return the bandit over these strategies.
 
         Examples
@@ -54,42 +43,48 @@ class Contender:
         >>> len(PAPER.over([db.MotorBabbling(), db.GoalBabbling(0.05)]).strategies)
         2
         """
-        return Bandit(strategies, tau=setting.TAU, estimator=self.estimator, policy=self.policy)
+        return bandits.Bandit(
+            strategies, tau=setting.TAU, estimator=self.estimator, policy=self.policy
+        )
 
 
 #: The square of 0.03: a "small bonus" is three hundredths of one scaled by the largest gain.
 _SMALL = 0.0009
 
 #: The paper's ADAPT.
-PAPER = Contender("ADAPT", Window(50, head_start=1), Proportional(0.1))
+PAPER = Contender("ADAPT", bandits.Window(50, head_start=1), bandits.Proportional(0.1))
 #: Sharper than the paper's, by an estimator that discounts the past.
 DISCOUNTED = Contender(
-    "discounted ADAPT", Discounted(0.99, head_start=1), Proportional(0.05, power=8.0)
+    "discounted ADAPT",
+    bandits.Discounted(0.99, head_start=1),
+    bandits.Proportional(0.05, power=8.0),
 )
 #: The closest to the best mixtures in the study of rules.
-GREEDY = Contender("discounted greedy", Discounted(0.995, head_start=1), EpsilonGreedy(0.02))
-SLIDING = Contender("SW-UCB, small bonus", RecentWindow(1000), UCB(0.6 * _SMALL))
-FADING = Contender("D-UCB, small bonus", Discounted(0.999), UCB(0.6 * _SMALL))
-THOMPSON = Contender("Thompson", WholePast(), Thompson())
-EXP3S = Contender("Exp3.S", WholePast(), Exp3S(0.1, 0.0001))
-ROUND_ROBIN = Contender("round robin", WholePast(), RoundRobin())
-UNIFORM = Contender("uniform", WholePast(), Uniform())
+GREEDY = Contender(
+    "discounted greedy", bandits.Discounted(0.995, head_start=1), bandits.EpsilonGreedy(0.02)
+)
+SLIDING = Contender("SW-UCB, small bonus", bandits.RecentWindow(1000), bandits.UCB(0.6 * _SMALL))
+FADING = Contender("D-UCB, small bonus", bandits.Discounted(0.999), bandits.UCB(0.6 * _SMALL))
+THOMPSON = Contender("Thompson", bandits.WholePast(), bandits.Thompson())
+EXP3S = Contender("Exp3.S", bandits.WholePast(), bandits.Exp3S(0.1, 0.0001))
+ROUND_ROBIN = Contender("round robin", bandits.WholePast(), bandits.RoundRobin())
+UNIFORM = Contender("uniform", bandits.WholePast(), bandits.Uniform())
 
 #: All, the paper's first.
 CONTENDERS = (
     PAPER,
     DISCOUNTED,
     GREEDY,
-    Contender("softmax", Discounted(0.99, head_start=1), Softmax(0.005)),
-    Contender("UCB1", WholePast(), UCB(2.0)),
-    Contender("UCB1, small bonus", WholePast(), UCB(0.6 * _SMALL)),
-    Contender("SW-UCB", RecentWindow(1000), UCB(0.6)),
+    Contender("softmax", bandits.Discounted(0.99, head_start=1), bandits.Softmax(0.005)),
+    Contender("UCB1", bandits.WholePast(), bandits.UCB(2.0)),
+    Contender("UCB1, small bonus", bandits.WholePast(), bandits.UCB(0.6 * _SMALL)),
+    Contender("SW-UCB", bandits.RecentWindow(1000), bandits.UCB(0.6)),
     SLIDING,
-    Contender("D-UCB", Discounted(0.999), UCB(2.4)),
+    Contender("D-UCB", bandits.Discounted(0.999), bandits.UCB(2.4)),
     FADING,
     THOMPSON,
-    Contender("Thompson, discounted", Discounted(0.999), Thompson()),
-    Contender("Exp3", WholePast(), Exp3(0.2)),
+    Contender("Thompson, discounted", bandits.Discounted(0.999), bandits.Thompson()),
+    Contender("Exp3", bandits.WholePast(), bandits.Exp3(0.2)),
     EXP3S,
     ROUND_ROBIN,
     UNIFORM,

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import signal
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from itertools import islice
 from multiprocessing import get_context
 from typing import TYPE_CHECKING, TypeVar
 
@@ -45,7 +46,7 @@ def over_processes(
     Raises
     ------
     Exception
-        What `function` raises; calls that have not begun are then cancelled.
+        What `function` raises, and Ctrl-C, once the calls under way have ended; no others begin.
 
     Examples
     --------
@@ -53,26 +54,25 @@ def over_processes(
     [1, 2, 3]
     """
     jobs = min(available_cores() if jobs is None else jobs, len(items))
+    told = progress or (lambda: None)
+    results: dict[int, Result] = {}
     if jobs <= 1:
-        done = []
-        for item in items:
-            done.append(function(item))
-            if progress is not None:
-                progress()
-        return done
+        for place, item in enumerate(items):
+            results[place] = function(item)
+            told()
+        return list(results.values())
+    rest, running = iter(enumerate(items)), dict[Future[Result], int]()
     with ProcessPoolExecutor(jobs, get_context("spawn"), _leave_interrupts) as executor:
-        futures = [executor.submit(function, item) for item in items]
-        try:
-            for future in as_completed(futures):
-                future.result()
-                if progress is not None:
-                    progress()
-        except BaseException:
-            executor.shutdown(wait=False, cancel_futures=True)
-            raise
-        return [future.result() for future in futures]
+        while len(results) < len(items):
+            # No call waits in the executor's queue, out of which it cannot be taken again.
+            for place, item in islice(rest, jobs - len(running)):
+                running[executor.submit(function, item)] = place
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                results[running.pop(future)] = future.result()
+                told()
+    return [results[place] for place in range(len(items))]
 
 
 def _leave_interrupts() -> None:
-    """Let Ctrl-C end the process that waits for the others, which then stops them."""
+    """Let Ctrl-C end the process that waits for the others, which end after the call under way."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-import csv
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from divbandit._core import power
 from divbandit.plot import series, style
 from divbandit.strategies import GoalBabbling, Mixture, MotorBabbling, Strategy
-from divbandit.studies.cases import Case, Outcome, outcomes
+from divbandit.studies.cases import Case
 from divbandit.studies.contenders import RIVALS
 from divbandit.studies.repeating import Repeating
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
     from matplotlib.figure import Figure
 
-    from divbandit.experiments.explore_many import Progress
+    from divbandit.studies.cases import Outcome
 
-NAME = "strategies"
+    #: The mix, how many strategies, and which bandit is over them.
+    Key = tuple[str, int, str]
+
+#: Of the table of all numbers: what a key holds, and what is measured.
+COLUMNS = ("mix", "strategies", "name", "repetition", "coverage")
 
 #: How many strategies.
 SIZES = (2, 4, 8, 16, 32, 64)
@@ -32,26 +31,6 @@ MIXES = {"half": "half of them good", "one": "one of them good"}
 GOOD = (0.02, 0.16)
 
 _ALONE = "good ones alone"
-
-
-@dataclass(frozen=True)
-class Row:
-    """What one bandit reached over so many strategies.
-
-    Attributes
-    ----------
-    mix : str
-        One of `MIXES`.
-    size : int
-        How many strategies, good and bad.
-    name : str
-    outcome : Outcome
-    """
-
-    mix: str
-    size: int
-    name: str
-    outcome: Outcome
 
 
 def good(count: int) -> list[Strategy]:
@@ -74,8 +53,8 @@ def bad(count: int) -> list[Strategy]:
 
     Examples
     --------
-    >>> bad(4)
-    [MotorBabbling(), GoalBabbling(0.0001), Repeating(), GoalBabbling(1.0)]
+    >>> [type(each).__name__ for each in bad(3)]
+    ['MotorBabbling', 'GoalBabbling', 'Repeating']
     """
     kinds = (MotorBabbling, lambda: GoalBabbling(0.0001), Repeating, lambda: GoalBabbling(1.0))
     return [kinds[index % len(kinds)]() for index in range(count)]
@@ -93,50 +72,32 @@ def mixed(mix: str, size: int) -> tuple[list[Strategy], list[Strategy]]:
     return good(count), bad(size - count)
 
 
-def run(
-    seed: int,
-    *,
-    steps: int = 10000,
-    repetitions: int = 25,
-    jobs: int | None = None,
-    progress: Progress | None = None,
-) -> list[Row]:
-    """Explore the arm with each rival over each number of strategies of each mix.
+def cases(steps: int) -> dict[Key, Case]:
+    """Return each rival over each number of strategies of each mix.
 
-    And with the good strategies alone, each as likely at each step.
+    And the good strategies alone, each as likely at each step.
     """
-    keys, cases = [], []
+    found = {}
     for i, mix in enumerate(MIXES):
         for j, size in enumerate(SIZES):
             good_ones, bad_ones = mixed(mix, size)
             for k, rival in enumerate(RIVALS):
-                keys.append((mix, size, rival.name))
-                cases.append(Case(rival.over(good_ones + bad_ones), (steps,), (6, i, j, 1 + k)))
-            keys.append((mix, size, _ALONE))
-            cases.append(Case(Mixture(good_ones), (steps,), (6, i, j, 0)))
-    reached = outcomes(cases, seed=seed, repetitions=repetitions, jobs=jobs, progress=progress)
-    return [Row(*key, outcome) for key, outcome in zip(keys, reached, strict=True)]
+                bandit = rival.over(good_ones + bad_ones)
+                found[mix, size, rival.name] = Case(bandit, (steps,), (6, i, j, 1 + k))
+            found[mix, size, _ALONE] = Case(Mixture(good_ones), (steps,), (6, i, j, 0))
+    return found
 
 
-def explorations(repetitions: int) -> int:
-    """Return how many explorations `run` makes."""
-    return len(MIXES) * len(SIZES) * (len(RIVALS) + 1) * repetitions
-
-
-def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+def draw(found: dict[Key, Outcome]) -> dict[str, Figure]:
     """Draw a panel for each mix and in it a line for each rival."""
     import matplotlib.pyplot as plt  # noqa: PLC0415
 
-    found = {(row.mix, row.size, row.name): row.outcome for row in rows}
     figure, axes = plt.subplots(1, 2, figsize=(style.PAGE, 2.8), sharey=True)
     names = [rival.name for rival in RIVALS]
     for letter, ax, (mix, title) in zip("ab", axes, MIXES.items(), strict=True):
         series(
             SIZES,
-            [
-                [[found[mix, size, name].mean, found[mix, size, name].deviation] for size in SIZES]
-                for name in names
-            ],
+            [[found[mix, size, name].summary[-1] for size in SIZES] for name in names],
             labels=names,
             baseline=[found[mix, size, _ALONE].mean for size in SIZES],
             baseline_label=_ALONE,
@@ -147,22 +108,11 @@ def draw(rows: Sequence[Row]) -> dict[str, Figure]:
         ax.label_outer()
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, frameon=False, loc="outside right center")
-    return {NAME: figure}
+    return {"strategies": figure}
 
 
-def save(rows: Sequence[Row], path: Path) -> None:
-    """Write what every single exploration reached as CSV."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["mix", "strategies", "name", "repetition", "coverage"])
-        for row in rows:
-            for repetition, value in enumerate(row.outcome.values[:, -1].tolist()):
-                writer.writerow([row.mix, row.size, row.name, repetition, repr(value)])
-
-
-def table(rows: Sequence[Row]) -> str:
+def table(found: dict[Key, Outcome]) -> str:
     """Return what was reached as text."""
-    found = {(row.mix, row.size, row.name): row.outcome for row in rows}
     lines = []
     for mix, title in MIXES.items():
         lines.append(f"{f'm², {title}, of':26}" + "".join(f"{size:>14}" for size in SIZES))

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-import os
-from contextlib import nullcontext
-from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import one_of, whole
+from divbandit._files import write_csv
+from divbandit.paper.reproduce import folder_for, no_bar
 from divbandit.plot import style
 from divbandit.studies import composition, environments, rules, strategies
+from divbandit.studies.cases import outcomes
 
 if TYPE_CHECKING:
-    from contextlib import AbstractContextManager
+    import os
+    from collections.abc import Iterator
 
-    from divbandit.experiments.explore_many import Progress
     from divbandit.paper.reproduce import Bar
+    from divbandit.studies.cases import Outcome
 
-_STUDIES = {each.NAME: each for each in (rules, strategies, composition, environments)}
+_STUDIES = {
+    "rules": rules,
+    "strategies": strategies,
+    "composition": composition,
+    "environments": environments,
+}
 
 #: Their names.
 STUDIES = tuple(_STUDIES)
@@ -77,24 +83,22 @@ def study(
     coverage in m²
     """
     made = _STUDIES[one_of("name", name, STUDIES)]
-    if not isinstance(out, (str, os.PathLike)):
-        raise TypeError(f"out must be a path, got {type(out).__name__}")
-    whole("repetitions", repetitions, low=1)
-    whole("steps", steps, low=5)
-    whole("seed", seed, low=0)
-    if jobs is not None:
-        whole("jobs", jobs, low=1)
-    folder = Path(out)
-    folder.mkdir(parents=True, exist_ok=True)
-    with (bar or _no_bar)(name, made.explorations(repetitions)) as progress:
-        rows = made.run(seed, steps=steps, repetitions=repetitions, jobs=jobs, progress=progress)
+    cases = made.cases(whole("steps", steps, low=5))
+    folder = folder_for(out, repetitions=repetitions, seed=seed, jobs=jobs)
+    with (bar or no_bar)(name, len(cases) * repetitions) as progress:
+        found = outcomes(cases, seed=seed, repetitions=repetitions, jobs=jobs, progress=progress)
     with style.printed():
-        for stem, figure in made.draw(rows).items():
+        for stem, figure in made.draw(found).items():
             style.save(figure, folder / stem)
-    made.save(rows, folder / f"{name}.csv")
-    table: str = made.table(rows)
+    write_csv(folder / f"{name}.csv", made.COLUMNS, _rows(found))
+    table: str = made.table(found)
     return table
 
 
-def _no_bar(_name: str, _total: int) -> AbstractContextManager[Progress]:
-    return nullcontext(lambda: None)
+def _rows(found: dict[tuple[Any, ...], Outcome]) -> Iterator[list[Any]]:
+    """Yield what every single exploration reached, after each step at which it was measured."""
+    for key, outcome in found.items():
+        steps = outcome.case.at
+        for repetition, values in enumerate(outcome.values.tolist()):
+            for step, value in zip(steps, values, strict=True):
+                yield [*key, repetition, *([step] if len(steps) > 1 else []), repr(value)]

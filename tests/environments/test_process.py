@@ -1,8 +1,10 @@
 """ProcessEnvironment: real programs, good and bad ones."""
 
+import contextlib
 import os
 import pickle
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -93,12 +95,18 @@ def alive(pid):
         return False
 
 
-def gone(pid):
+def gone(pid, seconds=30):
     """Wait until a process has ended."""
-    deadline = time.monotonic() + 30
+    deadline = time.monotonic() + seconds
     while alive(pid) and time.monotonic() < deadline:
         time.sleep(0.01)
     return not alive(pid)
+
+
+def end(pid):
+    """Kill a process if it is still there."""
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(pid, signal.SIGKILL)
 
 
 def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
@@ -135,6 +143,57 @@ def test_an_interrupted_evaluation_leaves_nothing(tmp_path):
         thread.join()
         signal.signal(signal.SIGINT, before)
     assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))
+
+
+def test_an_interrupt_while_the_program_is_started_leaves_nothing(monkeypatch):
+    pids = []
+    execute = subprocess.Popen._execute_child  # noqa: SLF001 - between this and the end of Popen
+
+    def interrupted(self, *arguments):
+        execute(self, *arguments)
+        pids.append(self.pid)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr(subprocess.Popen, "_execute_child", interrupted)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            program("time.sleep(600)", timeout=None)([0, 0])
+    finally:
+        signal.signal(signal.SIGINT, before)
+    (pid,) = pids
+    try:
+        assert gone(pid, seconds=5)
+    finally:
+        end(pid)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux lists all processes as files")
+def test_what_has_left_the_session_is_killed_as_well(tmp_path):
+    note = tmp_path / "pid"
+    innermost = f"import os; open({str(note)!r}, 'w').write(str(os.getpid()))"
+    for _ in range(2):  # a child of a child, each in a session of its own
+        words = [sys.executable, "-S", "-c", f"{innermost}; import time; time.sleep(600)"]
+        innermost = f"import subprocess; subprocess.Popen({words!r}, start_new_session=True)"
+    code = f"{innermost}; time.sleep(600)"
+    with pytest.raises(TimeoutError):
+        program(code, timeout=3.0)([0, 0])
+    pid = int(note.read_text(encoding="utf-8"))
+    try:
+        assert gone(pid, seconds=5)
+    finally:
+        end(pid)
+
+
+def test_what_it_leaves_in_the_background_is_not_waited_for():
+    code = (
+        "import subprocess; child = subprocess.Popen(['sleep', '600']); "
+        "print([child.pid, 0.5], flush=True)"
+    )
+    pid, half = program(code, timeout=20.0)([0, 0]).tolist()
+    assert half == 0.5
+    assert alive(int(pid))  # it may be meant to go on
+    end(int(pid))
 
 
 def test_several_at_once_and_failures_survived():

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import os
 import selectors
 import signal
 import subprocess
 import time
+from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from threading import Event, Thread
+from typing import IO, TYPE_CHECKING, Any, cast
 
 from divbandit._checks import positive
 from divbandit._value import Value
@@ -18,7 +22,7 @@ from divbandit.box import Box, BoxLike, box_or_none
 from divbandit.environments._one_by_one import one_by_one
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
@@ -27,6 +31,8 @@ if TYPE_CHECKING:
 _SHOWN = 500
 #: Limit of a program's standard output, in bytes, and how much is read at once.
 _MOST, _CHUNK = 2**26, 2**16
+#: Seconds between looks at whether the program has ended, or is to be stopped.
+_GLANCE = 0.05
 #: The longest timeout, in seconds; the operating system cannot represent much longer ones.
 _LONGEST = 1e6
 
@@ -38,9 +44,9 @@ class ProcessEnvironment(Value):
     The numbers of a command follow the words of the command line, each written so that it reads
     back as the same float. The program writes the effect to its standard output, at most 64 MiB: a
     list of numbers, a single number, or an object that has the effect as one entry. It is started
-    once for each command, without a shell. With a thread pool as the executor of `explore`, several
-    run at once; Ctrl-C then waits for those that are running. Without an executor it kills the
-    program.
+    once for each command, without a shell; what it leaves running in the background is not waited
+    for. With a thread pool as the executor of `explore`, several run at once; Ctrl-C then waits for
+    those that are running. Without an executor it kills the program.
 
     Parameters
     ----------
@@ -53,7 +59,8 @@ class ProcessEnvironment(Value):
         A box in S to draw goals from.
     timeout : float, optional
         The program and all that it has started are killed after this many seconds, at most a
-        million.
+        million. A daemon, whose parent has ended and which has left its session, is not found;
+        outside of Linux nor is anything else that has left its group of processes.
     entry : str, optional
         The entry of an object that is the effect.
 
@@ -141,25 +148,18 @@ class ProcessEnvironment(Value):
 
     def _run(self, command: NDArray[np.float64]) -> Any:  # noqa: ANN401 - what JSON can say
         words = [*self.command_line, *map(repr, command.tolist())]
-        process = subprocess.Popen(  # noqa: S603 - the program is what is explored
-            words,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            start_new_session=True,
-        )
+        outcome: Future[str] = Future()
+        stop = Event()
+        # Ctrl-C interrupts the main thread alone: in this one, what was started is always ended.
+        thread = Thread(target=_carry_out, args=(words, self.timeout, stop, outcome))
         try:
-            out, err = _outputs(process, self.timeout)
-        except subprocess.TimeoutExpired:
-            raise TimeoutError(
-                f"the program must end within timeout = {self.timeout!r} s, but did not"
-            ) from None
+            thread.start()
+            text = outcome.result()
         finally:
-            _end(process)
-        if process.returncode != 0:
-            told = err.decode(errors="replace").strip()[-_SHOWN:]
-            raise RuntimeError(f"the program ended with status {process.returncode}: {told}")
-        return self._effect_of(out.decode(errors="replace"))
+            stop.set()
+            if thread.is_alive():
+                thread.join()
+        return self._effect_of(text)
 
     def _effect_of(self, text: str) -> Any:  # noqa: ANN401
         try:
@@ -198,39 +198,93 @@ def _words(command_line: Sequence[str]) -> tuple[str, ...]:
     return words
 
 
-def _outputs(process: subprocess.Popen[bytes], timeout: float | None) -> tuple[bytes, bytes]:
+def _carry_out(words: list[str], timeout: float | None, stop: Event, outcome: Future[str]) -> None:
+    """Run a program, and report its output or what went wrong."""
+    try:
+        outcome.set_result(_output_of(words, timeout, stop))
+    except BaseException as error:  # noqa: BLE001 - raised where the outcome is waited for
+        outcome.set_exception(error)
+
+
+def _output_of(words: list[str], timeout: float | None, stop: Event) -> str:
+    """Return the output of a program, which is killed if it takes too long or is to stop."""
+    with subprocess.Popen(  # noqa: S603 - the program is what is explored
+        words,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    ) as process:
+        try:
+            out, err = _outputs(process, timeout, stop)
+        finally:
+            if process.returncode is None:
+                _kill(process.pid)
+    if process.returncode != 0:
+        told = err.decode(errors="replace").strip()[-_SHOWN:]
+        raise RuntimeError(f"the program ended with status {process.returncode}: {told}")
+    return out.decode(errors="replace")
+
+
+def _outputs(
+    process: subprocess.Popen[bytes], timeout: float | None, stop: Event
+) -> tuple[bytes, bytes]:
     """Wait for a program; return its output and the last part of its error output."""
-    deadline = None if timeout is None else time.monotonic() + timeout
+    deadline = time.monotonic() + (math.inf if timeout is None else timeout)
     out, err = bytearray(), bytearray()
     with selectors.DefaultSelector() as selector:
         for pipe, kept in ((process.stdout, out), (process.stderr, err)):
-            if pipe is not None:
-                selector.register(pipe, selectors.EVENT_READ, kept)
-        while selector.get_map():
-            left = None if deadline is None else deadline - time.monotonic()
-            if timeout is not None and left is not None and left <= 0:
-                raise subprocess.TimeoutExpired(process.args, timeout)
-            for key, _ in selector.select(left):
+            selector.register(cast("IO[bytes]", pipe), selectors.EVENT_READ, kept)
+        while True:
+            # What the program has started may keep the pipes open after its end.
+            ended = process.poll() is not None
+            ready = selector.select(0 if ended else _GLANCE) if selector.get_map() else []
+            for key, _ in ready:
                 read = os.read(key.fd, _CHUNK)
                 key.data.extend(read)
                 if not read:
                     selector.unregister(key.fileobj)
             del err[:-_CHUNK]
+            if ended and not ready:
+                return bytes(out), bytes(err)
             if len(out) > _MOST:
                 raise RuntimeError(
                     f"the program must write at most {_MOST} bytes to its standard output, "
                     f"got more, beginning with {out[:_SHOWN].decode(errors='replace')!r}"
                 )
-    process.wait(None if deadline is None else max(0.0, deadline - time.monotonic()))
-    return bytes(out), bytes(err)
+            if stop.is_set():
+                raise InterruptedError
+            if time.monotonic() > deadline:
+                raise TimeoutError(
+                    f"the program must end within timeout = {timeout!r} s, but did not"
+                )
+            if not selector.get_map():
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    process.wait(_GLANCE)
 
 
-def _end(process: subprocess.Popen[bytes]) -> None:
-    """Kill a program that is still running, with all that it started, and close its pipes."""
-    if process.returncode is None:
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-    for pipe in (process.stdout, process.stderr):
-        if pipe is not None:
-            pipe.close()
+def _kill(root: int) -> None:
+    """Kill a process with all that it has started; on Linux, in sessions of their own, too."""
+    found, new = set[int](), {root}
+    while new:
+        for pid in new:
+            _send(os.kill, pid, signal.SIGSTOP)  # it shall start no more
+        found |= new
+        new = {pid for pid, relatives in _relatives() if relatives & found} - found
+    _send(os.killpg, root, signal.SIGKILL)
+    for pid in found:
+        _send(os.kill, pid, signal.SIGKILL)
+
+
+def _relatives() -> Iterator[tuple[int, set[int]]]:
+    """Yield each process with its parent and the leaders of its group and its session."""
+    for path in Path("/proc").glob("[0-9]*/stat"):  # none but on Linux
+        with contextlib.suppress(OSError):  # it has ended
+            fields = path.read_text(errors="replace").rpartition(")")[2].split()
+            yield int(path.parent.name), set(map(int, fields[1:4]))
+
+
+def _send(send: Callable[[int, int], None], pid: int, number: int) -> None:
+    """Send a signal, if the process is still there and may be reached."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        send(pid, number)

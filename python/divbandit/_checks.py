@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     Rng = Generator | SeedSequence | int | None
+    #: A number for all coordinates, or one for each.
+    PerCoordinate = float | tuple[float, ...]
 
 
 def real(name: str, value: object, *, low: float = -math.inf, high: float = math.inf) -> float:
@@ -56,6 +58,13 @@ def whole(name: str, value: object, *, low: int, high: int | None = None) -> int
 def floats(name: str, value: ArrayLike, dim: int | None = None) -> tuple[float, ...]:
     """Return a finite point of `dim` coordinates as a tuple, or say what is wrong with it."""
     return tuple(as_point(name, value, dim).tolist())
+
+
+def per_coordinate(name: str, value: ArrayLike) -> PerCoordinate:
+    """Return a finite number, or a tuple of one for each coordinate."""
+    if isinstance(value, (Real, bool)):
+        return real(name, value)
+    return floats(name, value)
 
 
 def truth(name: str, value: object) -> bool:

@@ -155,7 +155,7 @@ def test_each_exploration_has_its_study():
     ("arguments", "error", "words"),
     [
         ({"sampler": "tpe"}, TypeError, "sampler must be callable, got str"),
-        ({"reward": 3}, TypeError, "reward must be a Reward, such as Compet.*, got int"),
+        ({"reward": 3}, TypeError, "reward must be a Reward, such as Gain.*, got int"),
         ({"reward": Gain}, TypeError, "reward must be .* got the class Gain"),
     ],
 )

@@ -55,7 +55,7 @@ def test_usage_refuses_fewer_strategies_than_were_chosen():
 
 
 def test_effects_must_be_in_the_plane():
-    with pytest.raises(ValueError, match="data must hold effects"):
+    with pytest.raises(ValueError, match=r"data must have shape \(n, 2\), got \(5, 3\)"):
         effects_of(np.zeros((5, 3)))
 
 

@@ -32,8 +32,8 @@ class Batch:
     Attributes
     ----------
     solutions : numpy.ndarray, shape (n, m)
-    reports : list of Report or None
-        One for each solution; None for one that failed, or is under way.
+    reports : dict of Report or None
+        One for each solution that has ended, by its row; None if it failed.
 
     Examples
     --------
@@ -48,9 +48,8 @@ class Batch:
 
     def __init__(self, solutions: NDArray[np.float64]) -> None:
         self.solutions = solutions
-        self.reports: list[Report | None] = [None] * len(solutions)
+        self.reports: dict[int, Report | None] = {}
         self._given = 0
-        self._ended: set[int] = set()
 
     @property
     def all_given(self) -> bool:
@@ -60,7 +59,7 @@ class Batch:
     @property
     def all_ended(self) -> bool:
         """Whether every solution has an effect, or has failed."""
-        return len(self._ended) == len(self.solutions)
+        return len(self.reports) == len(self.solutions)
 
     def take(self) -> int:
         """Give out the next solution: return its row."""
@@ -69,7 +68,6 @@ class Batch:
 
     def end(self, row: int, report: Report | None = None) -> None:
         """Note the outcome of a solution; None if it failed."""
-        self._ended.add(row)
         self.reports[row] = report
 
 

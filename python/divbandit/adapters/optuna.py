@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from divbandit._checks import real
 from divbandit._library import library, seed_from
-from divbandit.bandits import FunctionReward, Gain, Reward
+from divbandit.bandits import Gain, Reward
+from divbandit.bandits.bandit import tau_or_reward
 from divbandit.measures import BallCoverage
 from divbandit.strategies import Strategy, Trial
 from divbandit.strategies.base import StrategyValue
@@ -113,7 +114,9 @@ class OptunaSampler(StrategyValue):
         library("optuna", user="OptunaSampler")
         if sampler is not None and not callable(sampler):
             raise TypeError(f"sampler must be callable, got {type(sampler).__name__}")
-        self._set(sampler=sampler, reward=None if reward is None else _reward_of(reward))
+        if reward is not None:
+            _, reward = tau_or_reward(None, reward)
+        self._set(sampler=sampler, reward=reward)
 
     @property
     def rewarding(self) -> Reward:
@@ -172,19 +175,6 @@ class _Sampling(Strategy):
         if self.study is None or not isinstance(trial, _OfStudy):
             raise ValueError("trial must be one that this strategy proposed")
         return self.study, trial.study_number
-
-
-def _reward_of(reward: object) -> Reward:
-    """Return a reward, made of a function if that was given."""
-    if isinstance(reward, Reward) and not isinstance(reward, type):
-        return reward
-    if callable(reward) and not isinstance(reward, type):
-        return FunctionReward(reward)
-    got = f"the class {reward.__name__}" if isinstance(reward, type) else type(reward).__name__
-    raise TypeError(
-        "reward must be a Reward, such as CompetenceProgress(), or a function of effect and "
-        f"history, got {got}"
-    )
 
 
 def _study(optuna: ModuleType, sampler: BaseSampler) -> Study:

@@ -39,20 +39,20 @@ if TYPE_CHECKING:
 def _line(archive: ArchiveBase, seed: int) -> EmitterBase:
     """MAP-Elites: an elite, moved along the line to another one."""
     first = np.random.default_rng(seed).random((16, _dim(archive)))
-    unit = [(0.0, 1.0)] * _dim(archive)
-    emitters = library("ribs.emitters", user="RibsEmitter")
-    emitter: EmitterBase = emitters.IsoLineEmitter(
-        archive, initial_solutions=first, bounds=unit, batch_size=16, seed=seed
-    )
-    return emitter
+    return _made(archive, seed, "IsoLineEmitter", initial_solutions=first, batch_size=16)
 
 
 def _evolution(archive: ArchiveBase, seed: int) -> EmitterBase:
     """CMA-ME: a distribution that moves to where new cells are found."""
-    unit = [(0.0, 1.0)] * _dim(archive)
-    emitters = library("ribs.emitters", user="RibsEmitter")
-    emitter: EmitterBase = emitters.EvolutionStrategyEmitter(
-        archive, x0=[0.5] * _dim(archive), sigma0=0.2, bounds=unit, seed=seed
+    middle = [0.5] * _dim(archive)
+    return _made(archive, seed, "EvolutionStrategyEmitter", x0=middle, sigma0=0.2)
+
+
+def _made(archive: ArchiveBase, seed: int, kind: str, **options: Any) -> EmitterBase:  # noqa: ANN401
+    """Make an emitter of solutions from 0 to 1."""
+    factory = getattr(library("ribs.emitters", user="RibsEmitter"), kind)
+    emitter: EmitterBase = factory(
+        archive, bounds=[(0.0, 1.0)] * _dim(archive), seed=seed, **options
     )
     return emitter
 
@@ -285,12 +285,12 @@ class _Emitting(Strategy):
     def _learn(self, emitter: EmitterBase, batch: Batch) -> None:
         """Let the emitter learn from a whole batch."""
         self._batch = None
-        known = [report for report in batch.reports if report is not None]
+        known = [report for report in batch.reports.values() if report is not None]
         if not known or not self._learns:
             return
         worst = copy.deepcopy(min(known, key=_standing))
         worst.added["status"] = np.zeros_like(worst.added["status"])
-        reports = [worst if report is None else report for report in batch.reports]
+        reports = [batch.reports[row] or worst for row in range(len(batch.solutions))]
         emitter.tell(
             batch.solutions,
             np.array([report.objective for report in reports]),

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from divbandit._checks import floats, positive, real, truth
+from divbandit._checks import per_coordinate, positive, truth
 from divbandit._core import as_point
 from divbandit._value import Value
 from divbandit.controllers._rows import motor_space_of, rows_of
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from divbandit._checks import PerCoordinate
     from divbandit.box import Box
     from divbandit.controllers.protocol import Policy, Trajectories
 
@@ -89,9 +89,9 @@ class Tracking(Value):
     positions: Reading
     velocities: Reading
     dt: float
-    stiffness: float | tuple[float, ...]
-    damping: float | tuple[float, ...]
-    limit: float | tuple[float, ...] | None
+    stiffness: PerCoordinate
+    damping: PerCoordinate
+    limit: PerCoordinate | None
     turns: bool
 
     if TYPE_CHECKING:
@@ -202,11 +202,9 @@ class _Pursuit:
         return action if self._limit is None else np.clip(action, -self._limit, self._limit)
 
 
-def _strength(name: str, value: ArrayLike) -> float | tuple[float, ...]:
+def _strength(name: str, value: ArrayLike) -> PerCoordinate:
     """Return a number or several, all at least 0, or say what is wrong with them."""
-    if isinstance(value, Real):
-        return real(name, value, low=0)
-    strengths = floats(name, value)
-    if min(strengths) < 0:
-        raise ValueError(f"{name} must be at least 0, got {min(strengths)} among its numbers")
-    return strengths
+    found = per_coordinate(name, value)
+    if np.min(found) < 0:
+        raise ValueError(f"{name} must be at least 0, got {value!r}")
+    return found

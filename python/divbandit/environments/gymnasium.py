@@ -17,7 +17,6 @@ from divbandit.environments._pool import Pool
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
 
     import numpy as np
     from gymnasium import Env
@@ -240,12 +239,7 @@ class GymnasiumEnvironment(Value):
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def _effect(self, command: NDArray[np.float64]) -> ArrayLike:

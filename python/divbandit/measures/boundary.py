@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import pi
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from divbandit._checks import real, whole
+from divbandit._value import Value
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -16,7 +18,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-class Loop:
+@dataclass(frozen=True, init=False, repr=False, eq=False)
+class Loop(Value):
     """A closed loop of arcs of circles of radius `tau`, each counter-clockwise around its centre.
 
     Each arc ends where the next one begins, and the last one where the first does. The union of
@@ -36,6 +39,8 @@ class Loop:
     arcs : numpy.ndarray of float64, shape (k, 4)
         The arcs, read-only.
     tau : float
+    area : float
+        The signed area inside: negative for a hole.
 
     Raises
     ------
@@ -52,44 +57,35 @@ class Loop:
     --------
     Two discs whose circles pass through each other's centres:
 
-    >>> from math import pi
+    >>> from dataclasses import dataclass
+    from math import pi
     >>> from divbandit.measures.boundary import Loop
     >>> loop = Loop([[0, 0, pi / 3, 5 * pi / 3], [1, 0, 4 * pi / 3, 8 * pi / 3]], tau=1)
     >>> round(loop.area, 6), round(loop.perimeter / pi, 6), loop.is_hole
     (5.054816, 2.666667, False)
     """
 
-    __slots__ = ("_arcs", "_area", "_tau")
+    __slots__ = ("arcs", "area", "tau")
+
+    arcs: NDArray[np.float64]
+    tau: float
+
+    if TYPE_CHECKING:
+        area: float
 
     def __init__(self, arcs: ArrayLike, tau: float) -> None:
-        self._tau = real("tau", tau, low=1e-100, high=1e100)
-        self._arcs = _as_arcs(arcs)
-        self._area = _area(self._arcs, self._tau)
-
-    @property
-    def arcs(self) -> NDArray[np.float64]:
-        """Centre x, centre y, start angle and end angle of each arc, in order; read-only."""
-        return self._arcs
-
-    @property
-    def tau(self) -> float:
-        """Radius of the circles."""
-        return self._tau
-
-    @property
-    def area(self) -> float:
-        """The signed area inside: negative for a hole."""
-        return self._area
+        tau, rows = real("tau", tau, low=1e-100, high=1e100), _as_arcs(arcs)
+        self._set(arcs=rows, tau=tau, area=_area(rows, tau))
 
     @property
     def is_hole(self) -> bool:
         """Whether the loop goes clockwise, around a hole of the union."""
-        return self._area < 0.0
+        return self.area < 0.0
 
     @property
     def perimeter(self) -> float:
         """The length of the arcs, in the units of `tau`."""
-        return float(np.sum(self._arcs[:, 3] - self._arcs[:, 2])) * self._tau
+        return float(np.sum(self.arcs[:, 3] - self.arcs[:, 2])) * self.tau
 
     def vertices(self, quad_segs: int = 16) -> NDArray[np.float64]:
         """Return the corners of a polygon inscribed in the loop.
@@ -124,7 +120,7 @@ class Loop:
                [ 5., -1.]])
         """
         quad_segs = whole("quad_segs", quad_segs, low=1, high=100_000)
-        x, y, start, end = self._arcs.T
+        x, y, start, end = self.arcs.T
         # What rounding adds to a whole number of quarters must not add a chord.
         chords = np.ceil((end - start) / (pi / 2) * quad_segs - 1e-9).astype(np.int64)
         chords = np.maximum(chords, 1)
@@ -132,26 +128,23 @@ class Loop:
         step = np.arange(len(arc)) - np.repeat(np.cumsum(chords) - chords, chords)
         angle = start[arc] + (end - start)[arc] * (step / chords[arc])
         return np.column_stack(
-            [x[arc] + self._tau * np.cos(angle), y[arc] + self._tau * np.sin(angle)]
+            [x[arc] + self.tau * np.cos(angle), y[arc] + self.tau * np.sin(angle)]
         )
 
     def __len__(self) -> int:
-        return len(self._arcs)
+        return len(self.arcs)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Loop):
             return NotImplemented
-        return self._tau == other._tau and np.array_equal(self._arcs, other._arcs)
+        return self.tau == other.tau and np.array_equal(self.arcs, other.arcs)
 
     def __hash__(self) -> int:
-        return hash((self._tau, *self._arcs.ravel().tolist()))
+        return hash((self.tau, *self.arcs.ravel().tolist()))
 
     def __repr__(self) -> str:
         kind = "hole" if self.is_hole else "outer loop"
         return f"<Loop of {len(self)} arcs, {kind}, area={self.area}>"
-
-    def __reduce__(self) -> tuple[type[Loop], tuple[NDArray[np.float64], float]]:
-        return type(self), (self._arcs, self._tau)
 
 
 def to_shapely(loops: Iterable[Loop], *, quad_segs: int = 16) -> shapely.Polygon:
@@ -202,22 +195,18 @@ def to_shapely(loops: Iterable[Loop], *, quad_segs: int = 16) -> shapely.Polygon
     tree = shapely.STRtree([shapely.Polygon(shell) for shell in shells])
     points = [shapely.Polygon(ring).representative_point() for ring in rings]
     pairs = tree.query(np.array(points, dtype=object), predicate="within")
-    around: dict[int, int] = {}
-    for hole, outer in pairs.T.tolist():
-        # Of the loops around a point of the hole, those of parts that lie in the hole are
-        # smaller than it, and those of parts in whose holes it lies larger than its own.
-        known = around.get(hole)
-        if outers[outer].area > -holes[hole].area and (
-            known is None or outers[outer].area < outers[known].area
-        ):
-            around[hole] = outer
+    # Of the loops around a point of the hole, those of parts that lie in the hole are smaller than
+    # it, and those of parts in whose holes it lies larger than its own: the smallest of the rest.
+    around = {
+        hole: outer
+        for hole, outer in sorted(pairs.T.tolist(), key=lambda pair: -outers[pair[1]].area)
+        if outers[outer].area > -holes[hole].area
+    }
     if len(around) < len(holes):
         raise ValueError("loops must have an outer loop around every hole")
     for hole, outer in sorted(around.items()):
         inside[outer].append(rings[hole])
-    polygons = [
-        shapely.Polygon(shell, within) for shell, within in zip(shells, inside, strict=True)
-    ]
+    polygons = list(map(shapely.Polygon, shells, inside))
     if len(polygons) > 1:
         return shapely.MultiPolygon(polygons)
     return polygons[0] if polygons else shapely.Polygon()

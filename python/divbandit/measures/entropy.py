@@ -3,21 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from divbandit import _core
-from divbandit._value import Value
-from divbandit.measures.cells import edges, per_coordinate
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from divbandit.measures.cells import PerCoordinate
-    from divbandit.measures.protocol import RunningMeasure
+from divbandit.measures.native import CellMeasure
 
 
 @dataclass(frozen=True, init=False, repr=False)
-class Entropy(Value):
+class Entropy(CellMeasure):
     """The Shannon entropy, in nats, of the histogram of effects over a grid's cells.
 
     Delarboulas, Schoenauer and Sebag (2010, "Open-Ended Evolutionary Robotics: An Information
@@ -57,30 +48,3 @@ class Entropy(Value):
     >>> round(entropy.measure, 6)
     0.636514
     """
-
-    cell: PerCoordinate
-    origin: PerCoordinate
-
-    def __init__(self, cell: ArrayLike, *, origin: ArrayLike = 0.0) -> None:
-        self._set(cell=edges(cell), origin=per_coordinate("origin", origin))
-
-    def start(self, dim: int) -> RunningMeasure:
-        """Return the measure of no effects.
-
-        Parameters
-        ----------
-        dim : int
-            Dimension of the effects, from 1 to a million.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If `dim` is out of range, or `cell` or `origin` has another number of coordinates.
-
-        Examples
-        --------
-        >>> from divbandit.measures import Entropy
-        >>> Entropy(0.5).start(3)
-        <Entropy(0.5) of 0 effects in R^3, measure=0.0>
-        """
-        return _core.Measure(self, dim)

@@ -3,21 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from divbandit import _core
-from divbandit._value import Value
-from divbandit.measures.cells import edges, per_coordinate
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from divbandit.measures.cells import PerCoordinate
-    from divbandit.measures.protocol import RunningMeasure
+from divbandit.measures.native import CellMeasure
 
 
 @dataclass(frozen=True, init=False, repr=False)
-class GridCoverage(Value):
+class GridCoverage(CellMeasure):
     """The number of cells of a grid in which effects lie.
 
     The coverage that the literature on quality diversity reports: the behaviour space is divided
@@ -54,32 +45,3 @@ class GridCoverage(Value):
     >>> grid.measure, len(grid)
     (2.0, 3)
     """
-
-    cell: PerCoordinate
-    origin: PerCoordinate
-
-    def __init__(self, cell: ArrayLike, *, origin: ArrayLike = 0.0) -> None:
-        self._set(cell=edges(cell), origin=per_coordinate("origin", origin))
-
-    def start(self, dim: int) -> RunningMeasure:
-        """Return the measure of no effects.
-
-        Parameters
-        ----------
-        dim : int
-            Dimension of the effects, from 1 to a million.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If `dim` is out of range, or `cell` or `origin` has another number of coordinates.
-
-        Examples
-        --------
-        >>> from divbandit.measures import GridCoverage
-        >>> GridCoverage([0.1, 0.2]).start(3)
-        Traceback (most recent call last):
-            ...
-        ValueError: cell must have length 3, got 2
-        """
-        return _core.Measure(self, dim)

@@ -3,18 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from divbandit import _core
 from divbandit._checks import whole
-from divbandit._value import Value
-
-if TYPE_CHECKING:
-    from divbandit.measures.protocol import RunningMeasure
+from divbandit.measures.native import NativeMeasure
 
 
 @dataclass(frozen=True, init=False, repr=False)
-class Sparseness(Value):
+class Sparseness(NativeMeasure):
     """The novelty of effects: their distance to the nearest of those observed before them.
 
     The gain of an effect is its sparseness, the mean Euclidean distance to the k nearest effects
@@ -54,24 +49,3 @@ class Sparseness(Value):
     def __init__(self, k: int = 15) -> None:
         # There are never more effects than that.
         self._set(k=whole("k", k, low=1, high=2**32 - 1))
-
-    def start(self, dim: int) -> RunningMeasure:
-        """Return the measure of no effects.
-
-        Parameters
-        ----------
-        dim : int
-            Dimension of the effects, from 1 to a million.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If `dim` is not a whole number in its range.
-
-        Examples
-        --------
-        >>> from divbandit.measures import Sparseness
-        >>> Sparseness(5).start(2)
-        <Sparseness(5) of 0 effects in R^2, measure=0.0>
-        """
-        return _core.Measure(self, dim)

@@ -21,10 +21,7 @@ def effects_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
     >>> effects_of([[0, 1], [2, 3]]).shape
     (2, 2)
     """
-    effects = numbers("data", data.effects if isinstance(data, Exploration) else data)
-    if effects.ndim != 2 or effects.shape[1] != 2:
-        raise ValueError(f"data must hold effects of shape (n, 2), got {effects.shape}")
-    return effects
+    return shaped("data", data.effects if isinstance(data, Exploration) else data, "n", 2)
 
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
@@ -39,6 +36,26 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError) as error:
         raise type(error)(f"{name} must be an array of numbers: {error}") from None
+
+
+def shaped(name: str, values: ArrayLike, *shape: int | str) -> NDArray[np.float64]:
+    """Return `values` as an array of floats of a shape, in which lengths with a name may be any.
+
+    Examples
+    --------
+    >>> shaped("data", [[1, 2]], "n", 2)
+    array([[1., 2.]])
+    >>> shaped("data", [1, 2], "n", 2)
+    Traceback (most recent call last):
+        ...
+    ValueError: data must have shape (n, 2), got (2,)
+    """
+    found = numbers(name, values)
+    wrong = (want not in (got, str(want)) for want, got in zip(shape, found.shape, strict=False))
+    if found.ndim != len(shape) or any(wrong):
+        wanted = ", ".join(map(str, shape))
+        raise ValueError(f"{name} must have shape ({wanted}), got {found.shape}")
+    return found
 
 
 def capsule(start: ArrayLike, end: ArrayLike, thickness: float) -> NDArray[np.float64]:
@@ -67,11 +84,9 @@ def means_and_deviations(data: ArrayLike) -> NDArray[np.float64]:
     >>> means_and_deviations([[2.0, 0.1], [1.5, 0.2]]).shape
     (2, 2)
     """
-    points = numbers("data", data)
-    if points.ndim != 2 or points.shape[1] != 2 or not (points[:, 1] >= 0).all():
-        raise ValueError(
-            f"data must hold means and standard deviations, of shape (k, 2), got {data!r}"
-        )
+    points = shaped("data", data, "k", 2)
+    if not (points[:, 1] >= 0).all():
+        raise ValueError(f"data must hold means and standard deviations, got {data!r}")
     return points
 
 
@@ -87,10 +102,7 @@ def estimates_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
         if data.estimates is None:
             raise ValueError("data must be the exploration of a bandit: it has no estimates")
         return data.estimates
-    estimates = numbers("data", data)
-    if estimates.ndim != 2:
-        raise ValueError(f"data must hold estimates of shape (n, q), got {estimates.shape}")
-    return estimates
+    return shaped("data", data, "n", "q")
 
 
 def usage_of(

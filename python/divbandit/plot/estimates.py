@@ -71,13 +71,8 @@ def curves(ax: Axes, values: np.ndarray, labels: Sequence[str] | None) -> None:
     steps = np.arange(1, len(values) + 1)
     for index in range(values.shape[1]):
         colour, pattern = style.line_of(index)
-        ax.plot(
-            steps,
-            values[:, index],
-            label=None if labels is None else labels[index],
-            color=colour,
-            linestyle=pattern,
-        )
+        label = None if labels is None else labels[index]
+        ax.plot(steps, values[:, index], pattern, color=colour, label=label)
     ax.set_xlim(0, len(values))
     ax.set_xlabel("step")
     if labels is not None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from divbandit.plot import style
-from divbandit.plot.data import numbers
+from divbandit.plot.data import shaped
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,14 +53,10 @@ def mixtures(
     >>> ax.get_xlabel()
     'motor babbling ratio'
     """
-    points = numbers("data", data)
-    if points.ndim != 2 or points.shape[1] != 3:
-        raise ValueError(f"data must have shape (k, 3), got {points.shape}")
-    found = np.empty((0, 2)) if archive is None else numbers("archive", archive)
-    if found.ndim != 2 or found.shape[1] != 2:
-        raise ValueError(f"archive must have shape (k, 2), got {found.shape}")
-    if adapt is not None and numbers("adapt", adapt).shape != (2,):
-        raise ValueError(f"adapt must be (mean, standard deviation), got {adapt!r}")
+    points = shaped("data", data, "k", 3)
+    found = np.empty((0, 2)) if archive is None else shaped("archive", archive, "k", 2)
+    if adapt is not None:
+        shaped("adapt", adapt, 2)
     ax = style.axes(ax)
     ax.errorbar(
         points[:, 0],
@@ -80,19 +76,7 @@ def mixtures(
         ax.axhspan(mean - deviation, mean + deviation, color=colour, alpha=0.2, linewidth=0)
         ax.axhline(mean, color=colour, linestyle=":", label="ADAPT, ± 1 s.d.")
     if len(found):
-        ax.plot(
-            found[:, 0],
-            found[:, 1],
-            linestyle="none",
-            marker="x",
-            markersize=2.5,
-            markeredgewidth=0.6,
-            color="black",
-            label="archived mixture",
-            zorder=3,
-        )
-    ax.set_ylim(bottom=0)
-    ax.set_xlim(-0.03, 1.03)
-    ax.set_xlabel("motor babbling ratio")
-    ax.set_ylabel(style.with_unit("diversity", unit))
+        ax.plot(*found.T, "kx", ms=2.5, mew=0.6, label="archived mixture", zorder=3)
+    ax.set(xlim=(-0.03, 1.03), xlabel="motor babbling ratio")
+    ax.set(ylim=(0, None), ylabel=style.with_unit("diversity", unit))
     return ax

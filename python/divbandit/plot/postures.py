@@ -64,34 +64,14 @@ def postures(
         if thickness is not None:
             _links(chain, thickness, strength, ax)
             continue
-        ax.plot(
-            chain[:, 0],
-            chain[:, 1],
-            color=style.COLOURS[0],
-            alpha=strength,
-            marker="o",
-            markersize=1.5,
-            markeredgewidth=0,
-        )
+        ax.plot(*chain.T, "o-", color=style.COLOURS[0], alpha=strength, ms=1.5, mew=0)
     orange = style.COLOURS[1]
     for points, marker, colour, name in (
         (chains[:, -1], "o", orange, "tip"),
         (chains[:1, 0], "s", "black", "base"),
     ):
-        ax.plot(
-            points[:, 0],
-            points[:, 1],
-            linestyle="none",
-            marker=marker,
-            markersize=3,
-            color=colour,
-            zorder=3,
-            label=name,
-        )
-    ax.set_aspect("equal")
-    ax.set_xlabel(style.with_unit("x", unit))
-    ax.set_ylabel(style.with_unit("y", unit))
-    return ax
+        ax.plot(*points.T, marker, markersize=3, color=colour, zorder=3, label=name)
+    return style.plane(ax, unit)
 
 
 def _links(chain: NDArray[np.float64], thickness: float, strength: float, ax: Axes) -> None:

@@ -79,10 +79,7 @@ def scene(data: Obstructed | Iterable[Obstacle], *, unit: str = "", ax: Axes | N
         circle.set(facecolor=style.BALL, edgecolor="black", linewidth=0.5, zorder=1, label="ball")
         ax.add_patch(circle)
     ax.autoscale_view()
-    ax.set_aspect("equal")
-    ax.set_xlabel(style.with_unit("x", unit))
-    ax.set_ylabel(style.with_unit("y", unit))
-    return ax
+    return style.plane(ax, unit)
 
 
 def _obstacles_of(data: object) -> tuple[Obstacle, ...]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from divbandit.plot import style
-from divbandit.plot.data import means_and_deviations, numbers
+from divbandit.plot.data import means_and_deviations, shaped
 from divbandit.plot.estimates import check_labels
 
 if TYPE_CHECKING:
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 #: Markers, in order.
 _MARKERS = ("o", "D", "s", "^", "v", "P", "X", "<", ">", "p")
+#: The other properties of all lines.
+_LINE: Any = {"linewidth": 0.9, "markersize": 2.8, "markeredgewidth": 0}
 
 
 def series(
@@ -65,16 +67,12 @@ def series(
     >>> ax.get_xscale(), ax.get_ylabel()
     ('log', 'coverage (m²)')
     """
-    x = numbers("places", places)
-    if x.ndim != 1 or not (x > 0).all():
-        raise ValueError(f"places must be positive numbers of shape (k,), got {places!r}")
-    values = numbers("data", data)
-    if values.ndim != 3 or values.shape[1:] != (len(x), 2):
-        raise ValueError(f"data must have shape (q, {len(x)}, 2), got {values.shape}")
+    x = shaped("places", places, "k")
+    if not (x > 0).all():
+        raise ValueError(f"places must be positive numbers, got {places!r}")
+    values = shaped("data", data, "q", len(x), 2)
     check_labels(labels, len(values))
-    compared = None if baseline is None else numbers("baseline", baseline)
-    if compared is not None and compared.shape != x.shape:
-        raise ValueError(f"baseline must have shape ({len(x)},), got {compared.shape}")
+    compared = None if baseline is None else shaped("baseline", baseline, len(x))
     ax = style.axes(ax)
     if compared is not None:
         ax.plot(x, compared, color="black", linestyle="--", linewidth=0.8, label=baseline_label)
@@ -85,17 +83,8 @@ def series(
         place = x * shifts[index]
         deviations = means_and_deviations(each)[:, 1]
         ax.errorbar(place, each[:, 0], deviations, fmt="none", color=colour, elinewidth=0.5)
-        ax.plot(
-            place,
-            each[:, 0],
-            color=colour,
-            linestyle=pattern,
-            linewidth=0.9,
-            marker=_MARKERS[index % len(_MARKERS)],
-            markersize=2.8,
-            markeredgewidth=0,
-            label=label,
-        )
+        marker = _MARKERS[index % len(_MARKERS)]
+        ax.plot(place, each[:, 0], pattern, color=colour, marker=marker, label=label, **_LINE)
     ax.set_xscale("log", base=2)
     ax.set_xticks(x, [f"{place:g}" for place in x])
     ax.minorticks_off()

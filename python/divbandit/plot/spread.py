@@ -71,17 +71,6 @@ def spread(
             rasterized=True,
         )
         ax.add_collection(discs)
-    ax.plot(
-        effects[:, 0],
-        effects[:, 1],
-        linestyle="none",
-        marker="o",
-        markersize=0.8 if tau is None else 0.5,
-        markeredgewidth=0,
-        color=style.EFFECT,
-        rasterized=True,
-    )
-    ax.set_aspect("equal")
-    ax.set_xlabel(style.with_unit("x", unit))
-    ax.set_ylabel(style.with_unit("y", unit))
-    return ax
+    width = 0.8 if tau is None else 0.5
+    ax.plot(*effects.T, "o", color=style.EFFECT, ms=width, mew=0, rasterized=True)
+    return style.plane(ax, unit)

@@ -54,6 +54,13 @@ def with_unit(label: str, unit: str) -> str:
     return f"{label} ({unit})" if unit else label
 
 
+def plane(ax: Axes, unit: str) -> Axes:
+    """Make axes those of positions, x and y on the same scale, and return them."""
+    ax.set_aspect("equal")
+    ax.set(xlabel=with_unit("x", unit), ylabel=with_unit("y", unit))
+    return ax
+
+
 def legend_below(figure: Figure, every: Iterable[Axes]) -> None:
     """Name, below a figure and in one row, what is drawn in some of its axes."""
     shown = [ax.get_legend_handles_labels() for ax in every]

@@ -260,7 +260,7 @@ def _outputs(
                 )
             if not selector.get_map():
                 with contextlib.suppress(subprocess.TimeoutExpired):
-                    process.wait(_GLANCE)
+                    process.wait(_GLANCE / 10)
 
 
 def _kill(root: int) -> None:

@@ -57,8 +57,7 @@ class Loop(Value):
     --------
     Two discs whose circles pass through each other's centres:
 
-    >>> from dataclasses import dataclass
-    from math import pi
+    >>> from math import pi
     >>> from divbandit.measures.boundary import Loop
     >>> loop = Loop([[0, 0, pi / 3, 5 * pi / 3], [1, 0, 4 * pi / 3, 8 * pi / 3]], tau=1)
     >>> round(loop.area, 6), round(loop.perimeter / pi, 6), loop.is_hole

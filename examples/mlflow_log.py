@@ -11,7 +11,7 @@ strategies = {"motor babbling": db.MotorBabbling(), "goal babbling": db.GoalBabb
 coverage = db.Coverage(0.02)
 
 
-def log(explorer, _):
+def log(explorer, _trial):
     """Log diversity, failures, and the share of evaluations that each strategy proposed."""
     history = explorer.history
     coverage.extend(history.effects[len(coverage) :])

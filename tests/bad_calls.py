@@ -63,6 +63,7 @@ NOT_PARTS = {"a number": 5, "a class": db.inverse.KNearest, "another": db.goals.
 # A number, or one for each of two coordinates.
 PLACES = without(NUMBERS, "an array", "a list", "an array of one") | {"rows": [[1.0, 1.0]]}
 EDGES = {"text": "0.5", "zero": 0.0, "below zero": -0.1, "one is zero": [1.0, 0.0]}
+NOT_CALLBACKS = NONE | {"a class": db.callbacks.Progress, "a number": 5, "text": "2h"}
 NOT_OBSTACLES = {
     "a number": 5,
     "None": None,
@@ -416,6 +417,25 @@ TABLE = [
     ("Task", "rng", SEED, lambda w, x: many([db.experiments.Task(w.arm, RMB, 1, x)])),
     ("Task.over", "seeds", {"None": None, "a number": 25}, lambda w, x: w.task.over(x)),
     ("Task.over", "rng", SEED, lambda w, x: many(w.task.over([x]))),
+    ("Every", "k", without(ALL_FROM_1, "huge"), lambda _, x: db.callbacks.Every(x, print)),
+    ("Every", "callback", NOT_CALLBACKS, lambda _, x: db.callbacks.Every(1, x)),
+    ("TimeBudget", "limit", NUMBERS | POSITIVE, lambda _, x: db.callbacks.TimeBudget(x)),
+    ("Plateau", "trials", without(ALL_FROM_1, "huge"), lambda _, x: db.callbacks.Plateau(x, 0.1)),
+    ("Plateau", "share", SHARE, lambda _, x: db.callbacks.Plateau(9, x)),
+    ("Plateau", "tau", POSITIVE, lambda _, x: db.callbacks.Plateau(9, 0.1, tau=x)),
+    (
+        "Plateau",
+        "measure",
+        some(NOT_MEASURES, *UNSTARTED),
+        lambda _, x: db.callbacks.Plateau(9, 0.1, measure=x),
+    ),
+    ("Progress", "tau", POSITIVE, lambda _, x: db.callbacks.Progress(tau=x)),
+    (
+        "Progress",
+        "measure",
+        some(NOT_MEASURES, *UNSTARTED),
+        lambda _, x: db.callbacks.Progress(measure=x),
+    ),
     ("summarize", "tau", POSITIVE, lambda _, x: db.experiments.summarize(x)),
     (
         "summarize",

@@ -2,11 +2,17 @@
 
 import os
 import re
+import runpy
 import subprocess
 import sys
+from contextlib import nullcontext
 from pathlib import Path
+from types import ModuleType
 
 import pytest
+
+import divbandit as db
+from tests.callbacks.loop import explore
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COVERS = re.compile(r"^(.*?) +covers (\d\.\d\d)", re.MULTILINE)
@@ -131,6 +137,97 @@ def test_mujoco_reacher(run):
     assert len(covers) == 4
     assert min(covers) > 100
     assert covers[3] > 0.8 * max(covers)
+
+
+@pytest.fixture
+def logs(monkeypatch, capsys):
+    """Return a function that runs an example with a stand-in for its library, and what it logs.
+
+    Every seventh evaluation fails. What is logged are triples (name, value, evaluations).
+    """
+
+    def logs(name, stand_in):
+        library, logged = stand_in([])
+        monkeypatch.setitem(sys.modules, library.__name__, library)
+        monkeypatch.setattr(db, "explore", with_failures)
+        runpy.run_path(str(EXAMPLES / f"{name}.py"))
+        assert re.fullmatch(
+            r"0\.\d\d\d square metres after 429 evaluations\n", capsys.readouterr().out
+        )
+        return logged
+
+    return logs
+
+
+def with_failures(environment, strategy, n, **options):
+    """Explore, with failures."""
+    tried = iter(range(n))
+
+    def falls(command):
+        if next(tried) % 7 == 6:
+            raise ValueError("it fell")
+        return environment(command)
+
+    spaces = environment.motor_space, environment.sensory_space
+    flaky = db.FunctionEnvironment(falls, *spaces)
+    return explore(flaky, strategy, n, on_error="record", **options)
+
+
+def tensorboard(logged):
+    """Return tensorboardX, as far as the example uses it, and the list that it logs to."""
+
+    class SummaryWriter:
+        def __init__(self, folder):
+            assert folder == "runs/adapt"
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            pass
+
+        def add_scalar(self, name, value, step):
+            logged.append((name, value, step))
+
+    library = ModuleType("tensorboardX")
+    library.SummaryWriter = SummaryWriter
+    return library, logged
+
+
+def mlflow(logged):
+    """Return MLflow, as far as the example uses it, and the list that it logs to."""
+    library = ModuleType("mlflow")
+    library.start_run = lambda **_: nullcontext()
+    library.log_param = lambda name, value: logged.append((name, value, 0))
+    library.log_metrics = lambda metrics, step: logged.extend(
+        (name, value, step) for name, value in metrics.items()
+    )
+    return library, logged
+
+
+def check_log(logged):
+    """Check what an example logs every ten evaluations."""
+    of = {name: [] for name, *_ in logged}
+    for name, value, step in logged:
+        assert step == 10 * len(of[name]) + 10
+        of[name].append(value)
+    assert list(of) == ["diversity", "failures", "share/motor babbling", "share/goal babbling"]
+    assert {len(values) for values in of.values()} == {50}
+    assert of["diversity"] == sorted(of["diversity"])
+    assert 0.05 < of["diversity"][-1] < 1
+    assert of["failures"] == [step // 7 for step in range(10, 501, 10)]
+    assert [sum(shares) for shares in zip(*list(of.values())[2:], strict=True)] == [1.0] * 50
+    assert min(map(min, list(of.values())[2:])) > 0
+
+
+def test_tensorboard_log(logs):
+    check_log(logs("tensorboard_log", tensorboard))
+
+
+def test_mlflow_log(logs):
+    (name, value, _), *metrics = logs("mlflow_log", mlflow)
+    assert (name, value.partition("(")[0]) == ("strategy", "Adapt")
+    check_log(metrics)
 
 
 def test_no_example_is_forgotten():

@@ -75,7 +75,8 @@ class Diversity:
 
     def now(self, *, within: float = inf) -> float:
         """Add the effects that are new, for about `within` seconds, and return the diversity."""
-        until, count = monotonic() + within, 1
+        until = monotonic() + within
+        count = len(self._history) if within == inf else 1
         while len(self) < len(self._history):
             if self._running is None:
                 dim: int = self._history.effect_dim  # type: ignore[assignment] # of the effects

@@ -8,7 +8,6 @@ from divbandit.bandits import CompetenceProgress, Gain
 from divbandit.callbacks import Every, Plateau
 from divbandit.callbacks.diversity import measure_for
 from divbandit.measures import BallCoverage, Entropy, GridCoverage
-from tests.callbacks.loop import explore, run
 from tests.callbacks.scripts import UNIT, Total, explorer, scripted
 
 RMB = db.MotorBabbling()
@@ -27,7 +26,7 @@ def specified(gains, trials, share):
 def made(gains, plateau, one=None):
     """Return after how many evaluations it stops."""
     one = one or explorer()
-    run(one, scripted(gains), len(gains), on_error="record", callbacks=[plateau])
+    one.run(scripted(gains), len(gains), on_error="record", callbacks=[plateau])
     return len(one.history) + len(one.history.failures)
 
 
@@ -50,10 +49,10 @@ def test_by_hand():
 
 
 def test_nothing_but_failures_is_a_plateau():
-    one = explorer()
-    with_failures = Plateau(5, 0, measure=Total())
-    assert made([None] * 9, with_failures, one) == 5
-    assert made([1] + [None] * 9, with_failures) == 6
+    plateau, one = Plateau(5, 0, measure=Total()), explorer()
+    with pytest.raises(RuntimeError, match="all 5 evaluations failed"):
+        made([None] * 9, plateau, one)
+    assert made([1] + [None] * 9, plateau) == 6
 
 
 def test_a_share_of_zero_waits_until_nothing_is_added():
@@ -78,7 +77,7 @@ def test_every_effect_is_measured_once():
 
     one = explorer()
     one.add_past(np.full((5, 1), 0.5), np.full((5, 1), 0.25))
-    run(one, scripted(range(1, 8)), 7, callbacks=[Plateau(50, 0.5, measure=Noting())])
+    one.run(scripted(range(1, 8)), 7, callbacks=[Plateau(50, 0.5, measure=Noting())])
     assert effects == [0.25] * 5 + [1, 2, 3, 4, 5, 6, 7]
 
 
@@ -127,21 +126,21 @@ def test_without_a_measure_the_run_does_not_begin(strategy):
     one = explorer(strategy)
     message = "measure must be given to Plateau, or tau, where the strategy is not a bandit"
     with pytest.raises(ValueError, match=message):
-        run(one, scripted([1]), 1, callbacks=[Plateau(3, 0.1)])
+        one.run(scripted([1]), 1, callbacks=[Plateau(3, 0.1)])
     assert len(one.history) == 0
-    assert run(one, scripted([1]), 1, callbacks=[Plateau(3, 0.1, tau=0.5)])
+    assert one.run(scripted([1]), 1, callbacks=[Plateau(3, 0.1, tau=0.5)])
 
 
 def test_a_measure_of_another_dimension_is_refused_when_the_run_begins():
     arm = db.PlanarArm(2)
     plateau = Plateau(3, 0.1, measure=GridCoverage([1, 1, 1]))
     with pytest.raises(ValueError, match="cell must have length 2, got 3"):
-        explore(arm, RMB, 5, callbacks=[plateau])
+        db.explore(arm, RMB, 5, callbacks=[plateau])
 
 
 def test_an_arm_that_reaches_all_it_can():
     arm, plateau = db.PlanarArm(2), Plateau(300, 0.05)
-    few = explore(
+    few = db.explore(
         arm, db.Adapt([RMB, db.GoalBabbling()], tau=0.2), 5000, rng=0, callbacks=[plateau]
     )
     reached = few.coverage(0.2)

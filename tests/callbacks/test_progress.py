@@ -11,7 +11,6 @@ import pytest
 import divbandit as db
 from divbandit.bandits import Gain
 from divbandit.callbacks import Every, Progress, diversity
-from tests.callbacks.loop import explore, run
 from tests.callbacks.scripts import Total, explorer, scripted
 
 
@@ -23,7 +22,7 @@ def last(capsys):
 
 
 def test_it_shows_evaluations_failures_and_time(capsys):
-    run(explorer(), scripted([1, None, 2]), 3, on_error="record", callbacks=[Progress()])
+    explorer().run(scripted([1, None, 2]), 3, on_error="record", callbacks=[Progress()])
     assert re.fullmatch(r"100%\|█+\| 3/3 \[00:00<00:00, .* trials/s, 1 failed\]", last(capsys))
 
 
@@ -32,7 +31,7 @@ def test_it_shows_the_time_left_while_there_is_some(capsys):
         del explorer
         return trial.number == 2
 
-    run(explorer(), scripted([1] * 9), 9, callbacks=[Every(1, Progress()), stop])
+    explorer().run(scripted([1] * 9), 9, callbacks=[Every(1, Progress()), stop])
     states = capsys.readouterr().err.split("\r")
     assert any(re.search(r"22%\|█.*\| 2/9 \[00:00<00:00", state) for state in states)
     assert re.search(r"33%\|█.*\| 3/9 \[", states[-1])
@@ -40,10 +39,10 @@ def test_it_shows_the_time_left_while_there_is_some(capsys):
 
 def test_it_shows_what_the_bandit_is_rewarded_by(capsys):
     arm, adapt = db.PlanarArm(3), db.Adapt([db.MotorBabbling()], tau=0.1)
-    made = explore(arm, adapt, 50, rng=0, callbacks=[Progress()])
+    made = db.explore(arm, adapt, 50, rng=0, callbacks=[Progress()])
     assert f", 0 failed, coverage {made.coverage(0.1)[-1]:.4g}]" in last(capsys)
     by_total = db.Adapt([db.MotorBabbling()], reward=Gain(Total()))
-    run(explorer(by_total), scripted([1, 2.5]), 2, callbacks=[Progress()])
+    explorer(by_total).run(scripted([1, 2.5]), 2, callbacks=[Progress()])
     assert ", 0 failed, diversity 3.5]" in last(capsys)
 
 
@@ -52,7 +51,7 @@ def test_it_shows_what_the_bandit_is_rewarded_by(capsys):
     [(Progress(tau=0.5), "coverage 2.5"), (Progress(measure=Total()), "diversity 4")],
 )
 def test_it_shows_another_measure(capsys, progress, shown):
-    run(explorer(), scripted([1, 2.5, 0.5]), 3, callbacks=[progress])
+    explorer().run(scripted([1, 2.5, 0.5]), 3, callbacks=[progress])
     assert last(capsys).endswith(f", 0 failed, {shown}]")
 
 
@@ -69,32 +68,27 @@ def test_a_run_of_unknown_length(capsys):
 
 def test_two_runs_have_each_a_bar_from_zero(capsys):
     one, progress = explorer(), Progress(measure=Total())
-    run(one, scripted([1, None]), 2, on_error="record", callbacks=[progress])
+    one.run(scripted([1, None]), 2, on_error="record", callbacks=[progress])
     assert re.search(r" 2/2 .*, 1 failed, diversity 1\]", last(capsys))
-    run(one, scripted([1, 1, None, 1]), 4, on_error="record", callbacks=[progress])
+    one.run(scripted([1, 1, None, 1]), 4, on_error="record", callbacks=[progress])
     assert re.search(r" 4/4 .*, 1 failed, diversity 4\]", last(capsys))
 
 
 def test_a_run_that_ends_at_once(capsys):
     with pytest.raises(ValueError, match="it fell"):
-        run(explorer(), scripted([None]), 5, callbacks=[Progress(tau=1)])
+        explorer().run(scripted([None]), 5, callbacks=[Progress(tau=1)])
     assert re.search(r"\| 0/5 \[.*, 0 failed, coverage 0\]", last(capsys))
 
 
 def test_it_is_drawn_ten_times_a_second_at_most(capsys):
     assert Progress().every == "0.1s"
-    run(explorer(), scripted([1] * 100), 100, callbacks=[Progress()])
+    explorer().run(scripted([1] * 100), 100, callbacks=[Progress()])
     assert capsys.readouterr().err.count("\r") < 100
 
 
 def test_each_call_draws_once(capsys):
-    run(
-        explorer(),
-        scripted([1, None] * 10),
-        20,
-        on_error="record",
-        callbacks=[Every(1, Progress())],
-    )
+    show, box = Every(1, Progress()), scripted([1, None] * 10)
+    explorer().run(box, 20, on_error="record", callbacks=[show])
     # Once when it begins, once for each call, once when it ends; a carriage return for each.
     assert capsys.readouterr().err.count("\r") == 22
 
@@ -134,7 +128,7 @@ def test_a_measure_that_raises_leaves_no_bar_open():
             raise ArithmeticError(len(effects))
 
     with pytest.raises(ArithmeticError):
-        run(explorer(), scripted([1]), 1, callbacks=[Progress(measure=Broken())])
+        explorer().run(scripted([1]), 1, callbacks=[Progress(measure=Broken())])
     assert not any(isinstance(each, tqdm) and not each.disable for each in gc.get_objects())
 
 

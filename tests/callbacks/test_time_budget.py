@@ -3,7 +3,6 @@
 import pytest
 
 from divbandit.callbacks import Every, TimeBudget, time_budget
-from tests.callbacks.loop import run
 from tests.callbacks.scripts import explorer, scripted
 
 
@@ -28,15 +27,15 @@ def a_minute_each(clock, n):
 
 def test_no_evaluation_begins_after_its_time(clock):
     hour = Every(1, TimeBudget("1h"))
-    assert len(run(explorer(), a_minute_each(clock, 99), 99, callbacks=[hour])) == 60
+    assert len(explorer().run(a_minute_each(clock, 99), 99, callbacks=[hour])) == 60
     over = Every(1, TimeBudget("59.5 min"))
-    assert len(run(explorer(), a_minute_each(clock, 99), 99, callbacks=[over])) == 60
+    assert len(explorer().run(a_minute_each(clock, 99), 99, callbacks=[over])) == 60
 
 
 def test_each_run_has_all_of_the_time(clock):
     budget, one = Every(1, TimeBudget("10min")), explorer()
     for made in (10, 20):
-        assert len(run(one, a_minute_each(clock, 99), 99, callbacks=[budget])) == made
+        assert len(one.run(a_minute_each(clock, 99), 99, callbacks=[budget])) == made
 
 
 def test_two_runs_at_once_have_each_their_own_time(clock):
@@ -51,7 +50,7 @@ def test_two_runs_at_once_have_each_their_own_time(clock):
 
 
 def test_it_looks_at_the_clock_by_itself():
-    assert len(run(explorer(), scripted(iter(int, 1)), 10**6, callbacks=[TimeBudget("30ms")])) > 1
+    assert len(explorer().run(scripted(iter(int, 1)), 10**6, callbacks=[TimeBudget("30ms")])) > 1
 
 
 @pytest.mark.parametrize("limit", ["forever", "-1h", 0, -1.0, float("nan"), float("inf")])

@@ -12,7 +12,6 @@ from types import ModuleType
 import pytest
 
 import divbandit as db
-from tests.callbacks.loop import explore
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 COVERS = re.compile(r"^(.*?) +covers (\d\.\d\d)", re.MULTILINE)
@@ -149,7 +148,7 @@ def logs(monkeypatch, capsys):
     def logs(name, stand_in):
         library, logged = stand_in([])
         monkeypatch.setitem(sys.modules, library.__name__, library)
-        monkeypatch.setattr(db, "explore", with_failures)
+        monkeypatch.setattr(db, "explore", with_failures(db.explore))
         runpy.run_path(str(EXAMPLES / f"{name}.py"))
         assert re.fullmatch(
             r"0\.\d\d\d square metres after 429 evaluations\n", capsys.readouterr().out
@@ -159,18 +158,22 @@ def logs(monkeypatch, capsys):
     return logs
 
 
-def with_failures(environment, strategy, n, **options):
-    """Explore, with failures."""
-    tried = iter(range(n))
+def with_failures(explore):
+    """Return what explores like this, with failures."""
 
-    def falls(command):
-        if next(tried) % 7 == 6:
-            raise ValueError("it fell")
-        return environment(command)
+    def explore_flaky(environment, strategy, n, **options):
+        tried = iter(range(n))
 
-    spaces = environment.motor_space, environment.sensory_space
-    flaky = db.FunctionEnvironment(falls, *spaces)
-    return explore(flaky, strategy, n, on_error="record", **options)
+        def falls(command):
+            if next(tried) % 7 == 6:
+                raise ValueError("it fell")
+            return environment(command)
+
+        spaces = environment.motor_space, environment.sensory_space
+        flaky = db.FunctionEnvironment(falls, *spaces)
+        return explore(flaky, strategy, n, on_error="record", **options)
+
+    return explore_flaky
 
 
 def tensorboard(logged):

@@ -1,4 +1,4 @@
-"""explore_many: many explorations at once, in the threads of one process."""
+"""explore_many: many explorations at once, in threads and in processes."""
 
 from __future__ import annotations
 
@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, TypeVar, overload
 from divbandit._checks import whole
 from divbandit.experiments import seeds
 from divbandit.experiments.cores import available_cores
+from divbandit.experiments.elsewhere import Elsewhere
 from divbandit.experiments.task import Task
 from divbandit.experiments.threads import Check, Threads
 from divbandit.exploration.explore import explore
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
+    from concurrent.futures import Executor
 
     from numpy.random import SeedSequence
 
@@ -34,6 +36,7 @@ def explore_many(
     keep: None = None,
     rng: Rng = None,
     jobs: int | None = None,
+    executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Generator[tuple[int, Exploration], None, None]: ...
 
@@ -45,6 +48,7 @@ def explore_many(
     keep: Callable[[Exploration], Kept],
     rng: Rng = None,
     jobs: int | None = None,
+    executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Generator[tuple[int, Kept], None, None]: ...
 
@@ -55,6 +59,7 @@ def explore_many(
     keep: Callable[[Exploration], object] | None = None,
     rng: Rng = None,
     jobs: int | None = None,
+    executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Generator[tuple[int, object], None, None]:
     """Explore many tasks, several at a time, and yield each result as soon as it is there.
@@ -78,7 +83,14 @@ def explore_many(
         is not changed: if you also spawn from it, pass a child of it here. From a Generator one
         number is drawn, at this call, as the seed.
     jobs : int, optional
-        Number of threads; by default the number of cores that this process may use.
+        How many explorations run at a time; by default the number of cores that this process may
+        use. Those of built-in parts run in threads. A black box in Python, or a user-defined
+        strategy, is explored in a worker process, if pebble and loky are installed
+        (``pip install "divbandit[jobs]"``) and the task can be pickled: each has its own copy of
+        the environment.
+    executor : concurrent.futures.Executor, optional
+        Where to explore instead: processes, a cluster's; `jobs` says how many explorations to keep
+        under way.
     progress : callable, optional
         Called without arguments, in the thread that iterates over the results, whenever an
         exploration is finished.
@@ -103,9 +115,9 @@ def explore_many(
     Notes
     -----
     Explorations of built-in parts are made by the engine, which releases Python's global lock: they
-    run in parallel. Python code takes turns, except where it releases the lock itself, as an
-    environment does that waits for a simulator or a robot. A free-threaded Python has no such lock:
-    there all explorations run in parallel.
+    run in parallel, in threads. In threads Python code takes turns, except where it releases the
+    lock itself; so it runs in processes where it can. A task whose ``rng`` is a Generator, which
+    must be advanced here, is explored in a thread.
 
     Nothing starts before the first result is requested. All explorations stop between two steps
     when the iterator is closed or dropped, when one of them fails, on Ctrl-C while waiting for a
@@ -130,25 +142,34 @@ def explore_many(
         if value is not None and not callable(value):
             raise TypeError(f"{name} must be callable or None, got {type(value).__name__}")
     jobs = available_cores() if jobs is None else whole("jobs", jobs, low=1)
-    return _explorations(tasks, keep, seeds.root(rng), jobs, progress)
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        kind = type(executor).__name__
+        raise TypeError(f"executor must be a concurrent.futures.Executor, got {kind}")
+    return _explorations(tasks, keep, seeds.root(rng), Elsewhere(jobs, executor), jobs, progress)
 
 
 def _explorations(
     tasks: Iterable[Task],
     keep: Callable[[Exploration], object] | None,
     parent: SeedSequence,
+    elsewhere: Elsewhere,
     jobs: int,
     progress: Progress | None,
 ) -> Generator[tuple[int, object], None, None]:
     def explored(place: int, task: Task) -> tuple[int, object]:
+        rng = seeds.child(parent, place) if task.rng is None else task.rng
         try:
+            sent = elsewhere.takes(task, keep)
+            if sent is not None:
+                return place, elsewhere.explored(task, rng, keep, sent, threads.check)
             run = explore(
                 task.environment,
                 task.strategy,
                 task.n,
-                rng=seeds.child(parent, place) if task.rng is None else task.rng,
+                rng=rng,
                 engine=task.engine,
                 keep_commands=task.keep_commands,
+                on_error=task.on_error,
                 callbacks=[Check(threads)],
             )
             return place, run if keep is None else keep(run)
@@ -163,12 +184,17 @@ def _explorations(
             progress()
         return result
 
-    with Threads[tuple[int, object]](jobs) as threads:
-        for place, task in enumerate(tasks):
-            if not isinstance(task, Task):
-                raise TypeError(f"tasks must be Tasks, got {type(task).__name__} at place {place}")
+    with elsewhere, Threads[tuple[int, object]](jobs) as threads:
+        for place, task in _numbered(tasks):
             threads.submit(explored, place, task)
             if len(threads) == 2 * jobs:
                 yield finished()
         while len(threads) > 0:
             yield finished()
+
+
+def _numbered(tasks: Iterable[Task]) -> Generator[tuple[int, Task], None, None]:
+    for place, task in enumerate(tasks):
+        if not isinstance(task, Task):
+            raise TypeError(f"tasks must be Tasks, got {type(task).__name__} at place {place}")
+        yield place, task

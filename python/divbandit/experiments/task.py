@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from divbandit._checks import Rng
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
+    from divbandit.exploration.running import OnError
     from divbandit.strategies.base import Strategy
 
 
@@ -37,6 +38,8 @@ class Task(Value):
         Where the steps are made, as in `explore`.
     keep_commands : bool
         Whether the Exploration keeps the motor commands, as in `explore`.
+    on_error : {"raise", "record"}
+        What to do if an evaluation fails, as in `explore`.
 
     See Also
     --------
@@ -56,6 +59,7 @@ class Task(Value):
     rng: Rng = None
     engine: EngineName = "auto"
     keep_commands: bool = True
+    on_error: OnError = "raise"
 
     def over(self, seeds: Iterable[Rng]) -> Iterator[Task]:
         """Yield this task once for each seed.

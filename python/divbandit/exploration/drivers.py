@@ -11,6 +11,7 @@ from time import monotonic
 from typing import TYPE_CHECKING, Protocol
 
 from divbandit._core import Engine, NotBuiltInError, Trial, as_point, interruptible, undisturbed
+from divbandit.history import History
 from divbandit.strategies.base import Starter, Strategy
 
 if TYPE_CHECKING:
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 
     from divbandit._core import Journal
     from divbandit.environments import Environment
-    from divbandit.history import History
 
     EngineName = Literal["auto", "python", "rust"]
 
@@ -98,6 +98,25 @@ def driver_of(
                     f'engine "rust" must be given parts of the library only, got {where}, a {kind}'
                 ) from None
     return PythonDriver(strategy, history, journal, rng)
+
+
+def runs_in_rust(strategy: Strategy, environment: Environment) -> bool:
+    """Whether the engine takes a strategy.
+
+    Examples
+    --------
+    >>> import divbandit as db
+    >>> runs_in_rust(db.MotorBabbling(), db.PlanarArm(2))
+    True
+    """
+    history = History(environment.motor_space, environment.sensory_space)
+    try:
+        Engine(strategy, history._log)  # noqa: SLF001 - the engine's
+    except NotBuiltInError:
+        return False
+    except (TypeError, ValueError):  # it cannot explore this environment
+        return True
+    return True
 
 
 def check_dim(strategy: Strategy, history: History, dim: int) -> None:

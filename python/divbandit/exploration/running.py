@@ -12,16 +12,17 @@ from collections.abc import Iterable
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Future, wait
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from divbandit._checks import one_of, positive, whole
 from divbandit._core import as_point
+from divbandit._workers import Workers
 from divbandit.callbacks.protocol import check_callback
 from divbandit.environments import Environment
 from divbandit.exploration.evaluating import Outcome, evaluate, reason_of
 from divbandit.exploration.saved import Checkpoint
 from divbandit.exploration.watching import Every, Watcher, period
-from divbandit.exploration.workers import Workers
 
 if TYPE_CHECKING:
     import os
@@ -242,14 +243,18 @@ class _Parallel:
         self._most = options.in_flight or options.jobs or 1
         self._under_way: dict[Future[list[Outcome]], list[Trial]] = {}
         self._stack = ExitStack()
-        self._workers: Workers | None = None
+        self._workers: Workers[Sequence[Any], list[Outcome]] | None = None
         self._left_over = list(loop.explorer.open_trials)
 
     def __enter__(self) -> None:
         options, environment = self._options, self._environment
         if options.jobs is not None:
-            self._workers = Workers(environment, options.jobs, options.timeout)
-            self._submit: _Submitter = self._stack.enter_context(self._workers).submit
+            function = partial(evaluate, environment, pickled=True)
+            workers = Workers(function, options.jobs, timeout=options.timeout, user="jobs")
+            self._workers = self._stack.enter_context(workers)
+            self._submit: _Submitter = lambda commands: workers.submit(
+                commands, calls=len(commands)
+            )
         elif options.executor is not None:
             submit = options.executor.submit
             self._submit = lambda commands: submit(evaluate, environment, commands, pickled=True)

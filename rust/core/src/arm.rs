@@ -113,34 +113,33 @@ impl PlanarArm {
         check_rows("commands", commands, self.joints)?;
         check_length("effects", effects, commands.len() / self.joints * 2)?;
         self.check("commands", commands)?;
+        let joints = self.joints;
         self.dispatch.run(
             #[inline(always)]
-            || self.effects_of_checked(commands, effects),
+            || {
+                for (rows, tips) in
+                    commands.chunks(LANES * joints).zip(effects.chunks_mut(LANES * 2))
+                {
+                    let samples = tips.len() / 2;
+                    let (mut angle, mut x, mut y) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+                    for joint in 0..joints {
+                        for sample in 0..samples {
+                            angle[sample] += rows[sample * joints + joint];
+                        }
+                        let (sines, cosines) = sin_cos(angle);
+                        for lane in 0..LANES {
+                            x[lane] += cosines[lane];
+                            y[lane] += sines[lane];
+                        }
+                    }
+                    for sample in 0..samples {
+                        tips[2 * sample] = x[sample] / joints as f64;
+                        tips[2 * sample + 1] = y[sample] / joints as f64;
+                    }
+                }
+            },
         );
         Ok(())
-    }
-
-    #[inline(always)]
-    fn effects_of_checked(&self, commands: &[f64], effects: &mut [f64]) {
-        let joints = self.joints;
-        for (rows, tips) in commands.chunks(LANES * joints).zip(effects.chunks_mut(LANES * 2)) {
-            let samples = tips.len() / 2;
-            let (mut angle, mut x, mut y) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-            for joint in 0..joints {
-                for sample in 0..samples {
-                    angle[sample] += rows[sample * joints + joint];
-                }
-                let (sines, cosines) = sin_cos(angle);
-                for lane in 0..LANES {
-                    x[lane] += cosines[lane];
-                    y[lane] += sines[lane];
-                }
-            }
-            for sample in 0..samples {
-                tips[2 * sample] = x[sample] / joints as f64;
-                tips[2 * sample + 1] = y[sample] / joints as f64;
-            }
-        }
     }
 
     /// The positions of the base, of each joint's far end and, last, of the tip.

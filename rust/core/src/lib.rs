@@ -3,8 +3,8 @@
 //! They follow the way data flows through an exploration (Benureau and Oudeyer,
 //! ICDL-EpiRob 2015):
 //!
-//! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect; so do an [`ObstructedArm`]
-//!    among obstacles and a [`PushArm`], which pushes a ball;
+//! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect; so does an [`ObstructedArm`]
+//!    among obstacles, which may push a ball;
 //! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
 //! 3. [`goals`] draw the goal by what is known, and [`inverse`] models turn it into the next motor
 //!    command, inside its [`Bounds`];
@@ -50,7 +50,7 @@ pub mod kdtree;
 pub mod measures;
 pub mod obstructed_arm;
 pub mod paths;
-pub mod push_arm;
+mod push_arm;
 pub mod strategies;
 pub mod trig;
 
@@ -66,4 +66,3 @@ pub use history::History;
 pub use instructions::Instructions;
 pub use kdtree::NearestNeighbors;
 pub use obstructed_arm::ObstructedArm;
-pub use push_arm::PushArm;

@@ -4,15 +4,19 @@
 //! such lines. At the first contact of a link with an obstacle, or with another link, it stops: the effect is where the tip
 //! is then.
 
-use std::borrow::Borrow;
+use std::borrow::Cow;
+
+use parry2d_f64::math::Vector;
 
 use crate::arm::PlanarArm;
 use crate::contact::Obstacle;
 use crate::contact::chain::Chain;
+use crate::contact::clear::Near;
 use crate::contact::scene::Scene;
 use crate::contact::sweep::Sweep;
 use crate::environment::Environment;
 use crate::error::{Error, check_length, check_rows};
+use crate::push_arm::{Ball, Pushing};
 
 /// The thinnest arm, in metres: the directions of shorter gaps would be noise.
 const THINNEST: f64 = 1e-6;
@@ -21,8 +25,9 @@ const THINNEST: f64 = 1e-6;
 #[derive(Debug, Clone)]
 pub struct ObstructedArm {
     arm: PlanarArm,
-    thickness: f64,
-    sweep: Sweep,
+    pub(crate) sweep: Sweep,
+    /// What it pushes, if anything.
+    pub(crate) ball: Option<Ball>,
 }
 
 impl ObstructedArm {
@@ -57,55 +62,62 @@ impl ObstructedArm {
                 got: format!("one in contact with link {link}"),
             });
         }
-        Ok(Self { arm, thickness, sweep: Sweep { scene, radius, self_contact } })
+        Ok(Self { arm, sweep: Sweep { scene, radius, self_contact }, ball: None })
     }
 
-    /// The arm itself, as it is without obstacles.
+    /// The arm itself, as it is without anything in its way.
     #[must_use]
     pub fn free(&self) -> &PlanarArm {
         &self.arm
     }
 
-    /// How thick the links are.
-    #[must_use]
-    pub fn thickness(&self) -> f64 {
-        self.thickness
-    }
-
-    /// What is in its way.
-    #[must_use]
-    pub fn obstacles(&self) -> &[Obstacle] {
-        self.sweep.scene.obstacles()
-    }
-
-    /// Whether links that are no neighbours stop each other.
-    #[must_use]
-    pub fn self_contact(&self) -> bool {
-        self.sweep.self_contact
-    }
-
     /// The arm, ready to move: many moves need no more memory than one.
     #[must_use]
-    pub fn moving(&self) -> Moving<&Self> {
-        Moving::from(self)
+    pub fn moving(&self) -> Moving<'_> {
+        Moving::of(Cow::Borrowed(self))
     }
 }
 
-/// An obstructed arm that can move, borrowed or owned.
+/// An obstructed arm that can move, borrowed or owned. Its effect is where the ball ends, if there is one; else the tip.
 #[derive(Debug)]
-pub struct Moving<Arm> {
-    arm: Arm,
+pub struct Moving<'a> {
+    arm: Cow<'a, ObstructedArm>,
     room: Room,
 }
 
-impl<Arm: Borrow<ObstructedArm>> From<Arm> for Moving<Arm> {
-    fn from(arm: Arm) -> Self {
-        Self { room: Room::new(&arm.borrow().arm), arm }
+/// The memory that a move needs.
+#[derive(Debug)]
+pub(crate) struct Room {
+    pub chain: Chain,
+    /// Where the arm is.
+    angles: Vec<f64>,
+    pub safe: Vec<f64>,
+    /// Where the ball is,
+    pub ball: Vector,
+    /// and what is near it.
+    pub near: Vec<Near>,
+}
+
+impl From<ObstructedArm> for Moving<'_> {
+    fn from(arm: ObstructedArm) -> Self {
+        Self::of(Cow::Owned(arm))
     }
 }
 
-impl<Arm: Borrow<ObstructedArm>> Moving<Arm> {
-    /// Where the tip is when the arm has gone from rest towards `command` as far as it can.
+impl<'a> Moving<'a> {
+    fn of(arm: Cow<'a, ObstructedArm>) -> Self {
+        let joints = arm.arm.joints();
+        let room = Room {
+            chain: Chain::new(joints, arm.arm.dispatch()),
+            angles: vec![0.0; joints],
+            safe: vec![0.0; joints],
+            ball: Vector::ZERO,
+            near: Vec::new(),
+        };
+        Self { arm, room }
+    }
+
+    /// What is where it ends when the arm has gone from rest towards `command` as far as it can: the tip, or the ball.
     ///
     /// ```
     /// use divbandit_core::{Obstacle, ObstructedArm, PlanarArm};
@@ -121,9 +133,8 @@ impl<Arm: Borrow<ObstructedArm>> Moving<Arm> {
     /// # Errors
     /// If the command is none of the arm's.
     pub fn effect(&mut self, command: &[f64]) -> Result<[f64; 2], Error> {
-        let share = self.progress(command)?;
-        self.room.chain.angles(share, &mut self.room.angles);
-        self.arm.borrow().arm.effect(&self.room.angles)
+        self.progress(command)?;
+        self.outcome()
     }
 
     /// The share of the way from rest to `command` that the arm can go; 1 if nothing stops it.
@@ -131,10 +142,9 @@ impl<Arm: Borrow<ObstructedArm>> Moving<Arm> {
     /// # Errors
     /// If the command is none of the arm's.
     pub fn progress(&mut self, command: &[f64]) -> Result<f64, Error> {
-        let arm = self.arm.borrow();
-        arm.check(command)?;
-        self.room.angles.fill(0.0);
-        Ok(self.room.advance(&arm.sweep, command))
+        self.check(command)?;
+        self.rest();
+        Ok(self.go(command, &mut |_, _| ()))
     }
 
     /// The base, each joint's far end and the tip, where the arm has stopped.
@@ -142,12 +152,25 @@ impl<Arm: Borrow<ObstructedArm>> Moving<Arm> {
     /// # Errors
     /// If the command is none of the arm's.
     pub fn posture(&mut self, command: &[f64]) -> Result<Vec<[f64; 2]>, Error> {
-        let share = self.progress(command)?;
-        self.room.chain.angles(share, &mut self.room.angles);
-        self.arm.borrow().arm.posture(&self.room.angles)
+        self.progress(command)?;
+        self.arm.arm.posture(&self.room.angles)
     }
 
-    /// Where the tip is when the arm has followed a trajectory as far as it can.
+    /// How the ball moves on the way to `command`: the share of the way and the ball's place, whenever it was looked at.
+    ///
+    /// # Errors
+    /// If the command is none of the arm's.
+    pub fn path(&mut self, command: &[f64]) -> Result<Vec<[f64; 3]>, Error> {
+        self.check(command)?;
+        self.rest();
+        let at = |share, ball: Vector| [share, ball.x, ball.y];
+        let mut path = vec![at(0.0, self.room.ball)];
+        let share = self.go(command, &mut |share, ball| path.push(at(share, ball)));
+        path.push(at(share, self.room.ball));
+        Ok(path)
+    }
+
+    /// What is where it ends when the arm has followed a trajectory as far as it can: the tip, or the ball.
     ///
     /// `trajectory` holds postures, rows of one angle a joint, the first of them rest; the arm goes along straight
     /// lines between them.
@@ -155,52 +178,63 @@ impl<Arm: Borrow<ObstructedArm>> Moving<Arm> {
     /// # Errors
     /// If there is no row, a row is cut short, an angle is beyond the limit, or the first row is not all 0.
     pub fn follow(&mut self, trajectory: &[f64]) -> Result<[f64; 2], Error> {
-        let arm = self.arm.borrow();
-        arm.check_trajectory(trajectory)?;
-        self.room.angles.fill(0.0);
-        for to in trajectory.chunks(arm.arm.joints()).skip(1) {
-            let share = self.room.advance(&arm.sweep, to);
-            self.room.chain.angles(share, &mut self.room.angles);
-            if share < 1.0 {
-                break;
-            }
-        }
-        arm.arm.effect(&self.room.angles)
-    }
-}
-
-impl ObstructedArm {
-    pub(crate) fn sweep(&self) -> &Sweep {
-        &self.sweep
-    }
-
-    pub(crate) fn check(&self, command: &[f64]) -> Result<(), Error> {
-        check_length("command", command, self.arm.joints())?;
-        self.arm.check("command", command)
-    }
-
-    pub(crate) fn check_trajectory(&self, trajectory: &[f64]) -> Result<(), Error> {
-        let joints = self.arm.joints();
+        let (arm, joints) = (&self.arm.arm, self.arm.arm.joints());
         if trajectory.is_empty() {
             return Err(Error::Empty { name: "trajectory" });
         }
         check_rows("trajectory", trajectory, joints)?;
-        self.arm.check("trajectory", trajectory)?;
-        match trajectory[..joints].iter().position(|&angle| angle != 0.0) {
-            None => Ok(()),
-            Some(index) => Err(Error::Element {
+        arm.check("trajectory", trajectory)?;
+        if let Some(index) = trajectory[..joints].iter().position(|&angle| angle != 0.0) {
+            return Err(Error::Element {
                 name: "trajectory",
                 at: format!("[0, {index}]"),
                 must_be: "0, as the arm begins at rest".to_owned(),
                 got: trajectory[index],
-            }),
+            });
+        }
+        self.rest();
+        for to in trajectory.chunks(joints).skip(1) {
+            if self.go(to, &mut |_, _| ()) < 1.0 {
+                break;
+            }
+        }
+        self.outcome()
+    }
+
+    fn check(&self, command: &[f64]) -> Result<(), Error> {
+        check_length("command", command, self.arm.arm.joints())?;
+        self.arm.arm.check("command", command)
+    }
+
+    /// Brings arm and ball to where they are at first.
+    fn rest(&mut self) {
+        self.room.angles.fill(0.0);
+        self.room.ball = self.arm.ball.map_or(Vector::ZERO, |ball| ball.center);
+    }
+
+    /// Sets out from where the arm is towards other angles; returns the share of the way that it can go.
+    fn go(&mut self, to: &[f64], look: &mut dyn FnMut(f64, Vector)) -> f64 {
+        let (sweep, room) = (&self.arm.sweep, &mut self.room);
+        room.chain.begin(&room.angles, to);
+        let share = match self.arm.ball {
+            None => sweep.advance(&mut room.chain, 0.0, 1.0, None, &mut room.safe).share,
+            Some(Ball { radius, .. }) => Pushing { sweep, room, radius }.go(look),
+        };
+        room.chain.angles(share, &mut room.angles);
+        share
+    }
+
+    fn outcome(&self) -> Result<[f64; 2], Error> {
+        match self.arm.ball {
+            None => self.arm.arm.effect(&self.room.angles),
+            Some(_) => Ok(self.room.ball.into()),
         }
     }
 }
 
-impl Environment for Moving<ObstructedArm> {
+impl Environment for Moving<'_> {
     fn motor_dim(&self) -> usize {
-        self.arm.arm.joints()
+        self.room.angles.len()
     }
 
     fn effect_dim(&self) -> usize {
@@ -210,28 +244,5 @@ impl Environment for Moving<ObstructedArm> {
     fn effect_into(&mut self, command: &[f64], effect: &mut [f64]) -> Result<(), Error> {
         effect.copy_from_slice(&self.effect(command)?);
         Ok(())
-    }
-}
-
-/// The memory that a move needs.
-#[derive(Debug)]
-pub(crate) struct Room {
-    pub chain: Chain,
-    /// Where the arm is.
-    pub angles: Vec<f64>,
-    pub safe: Vec<f64>,
-}
-
-impl Room {
-    pub fn new(arm: &PlanarArm) -> Self {
-        let none = vec![0.0; arm.joints()];
-        let chain = Chain::new(arm.joints(), arm.dispatch());
-        Self { chain, angles: none.clone(), safe: none }
-    }
-
-    /// Sets out from where the arm is towards other angles; returns the share of the way that it can go.
-    fn advance(&mut self, sweep: &Sweep, to: &[f64]) -> f64 {
-        self.chain.begin(&self.angles, to);
-        sweep.advance(&mut self.chain, 0.0, 1.0, None, &mut self.safe).share
     }
 }

@@ -3,7 +3,6 @@
 
 use divbandit_core::Environment;
 use divbandit_core::obstructed_arm::Moving;
-use divbandit_core::push_arm::Pushing;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
 
@@ -24,7 +23,7 @@ pub(crate) fn environment_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn
     } else if let Ok(arm) = kernel.cast::<PyObstructedArm>() {
         Some(Box::new(Moving::from(arm.get().0.clone())))
     } else if let Ok(arm) = kernel.cast::<PyPushArm>() {
-        Some(Box::new(Pushing::from(arm.get().0.clone())))
+        Some(Box::new(Moving::from(arm.get().0.clone())))
     } else {
         None
     })

@@ -1,6 +1,6 @@
 //! Binding of the arm that pushes a ball.
 
-use divbandit_core::PushArm;
+use divbandit_core::ObstructedArm;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
@@ -17,7 +17,7 @@ use crate::obstructed_arm::{PyObstructedArm, each, pair};
 ///     The ball's center.
 /// ball_radius : float
 #[pyclass(module = "divbandit._core", name = "PushArm", frozen)]
-pub(crate) struct PyPushArm(pub PushArm);
+pub(crate) struct PyPushArm(pub ObstructedArm);
 
 #[pymethods]
 impl PyPushArm {
@@ -28,7 +28,7 @@ impl PyPushArm {
         ball_radius: &Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let (ball, radius) = (pair("ball", ball)?, number("ball_radius", ball_radius)?);
-        PushArm::new(arm.get().0.clone(), ball, radius).map(Self).map_err(value_error)
+        arm.get().0.clone().pushing(ball, radius).map(Self).map_err(value_error)
     }
 
     /// Where the ball ends: (joints,) -> (2,), or (n, joints) -> (n, 2).
@@ -37,8 +37,8 @@ impl PyPushArm {
         py: Python<'py>,
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let mut pushing = self.0.pushing();
-        each(py, self.0.free(), command, |command| pushing.effect(command))
+        let mut moving = self.0.moving();
+        each(py, self.0.free(), command, |command| moving.effect(command))
     }
 
     /// The share of the way that can be gone: (joints,) -> (1,), or (n, joints) -> (n, 1).
@@ -47,8 +47,8 @@ impl PyPushArm {
         py: Python<'py>,
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let mut pushing = self.0.pushing();
-        each(py, self.0.free(), command, |command| Ok([pushing.progress(command)?]))
+        let mut moving = self.0.moving();
+        each(py, self.0.free(), command, |command| Ok([moving.progress(command)?]))
     }
 
     /// The positions of the base, of each joint's far end and, last, of the tip, where the arm stops.
@@ -58,7 +58,7 @@ impl PyPushArm {
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let command = Floats::point("command", command, Some(self.0.free().joints()))?.copied()?;
-        let points = self.0.pushing().posture(&command).map_err(value_error)?;
+        let points = self.0.moving().posture(&command).map_err(value_error)?;
         points.concat().into_pyarray(py).reshape([points.len(), 2])
     }
 
@@ -69,7 +69,7 @@ impl PyPushArm {
         command: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let command = Floats::point("command", command, Some(self.0.free().joints()))?.copied()?;
-        let path = py.detach(|| self.0.pushing().path(&command)).map_err(value_error)?;
+        let path = py.detach(|| self.0.moving().path(&command)).map_err(value_error)?;
         path.concat().into_pyarray(py).reshape([path.len(), 3])
     }
 
@@ -80,7 +80,7 @@ impl PyPushArm {
         trajectory: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let angles = Floats::points("trajectory", trajectory, self.0.free().joints())?.copied()?;
-        let ball = py.detach(|| self.0.pushing().follow(&angles)).map_err(value_error)?;
+        let ball = py.detach(|| self.0.moving().follow(&angles)).map_err(value_error)?;
         Ok(ball.to_vec().into_pyarray(py).into_any())
     }
 }

@@ -77,11 +77,11 @@ impl<'a> Moving<'a> {
             at,
             velocity: Vector::ZERO,
             farthest: at.length() + chain.length(0, self.link),
-            fastest: chain.speed(0, self.link),
-            acceleration: chain.acceleration(0, self.link),
+            since: 0,
+            until: self.link,
         };
-        let time =
-            time.max(Side::of(chain, self.link).clear_of([end(segment.a), end(segment.b)], apart));
+        let ends = [end(segment.a), end(segment.b)];
+        let time = time.max(clear_of_side(chain, self.link, ends, apart));
         (time < open).then_some(time)
     }
 
@@ -120,17 +120,11 @@ impl<'a> Moving<'a> {
         let (turning, other) =
             if found.end_of == 0 { (earlier, self.link) } else { (self.link, earlier) };
         let end = |joint: usize| {
-            let (first, last) = (turning.min(joint), turning.max(joint));
+            let (since, until) = (turning.min(joint), turning.max(joint));
             let Joint { at, velocity, .. } = *chain.joint(joint);
-            Point {
-                at,
-                velocity,
-                farthest: chain.length(first, last),
-                fastest: chain.speed(first, last),
-                acceleration: chain.acceleration(first, last),
-            }
+            Point { at, velocity, farthest: chain.length(since, until), since, until }
         };
-        let time = time.max(Side::of(chain, turning).clear_of([end(other), end(other + 1)], apart));
+        let time = time.max(clear_of_side(chain, turning, [end(other), end(other + 1)], apart));
         (time < open).then_some(time)
     }
 }
@@ -141,53 +135,34 @@ struct Point {
     velocity: Vector,
     /// It is never farther away,
     farthest: f64,
-    /// never faster,
-    fastest: f64,
-    /// and its acceleration is never more.
-    acceleration: f64,
+    /// and its speed and acceleration are never more than those of the joint `until`, seen from `since`.
+    since: usize,
+    until: usize,
 }
 
-/// The line through a link, which turns with it.
+/// For how long two points, both on one side of a link, stay `apart` from the line through it, which turns with it.
 ///
 /// Where a corner or a disc is at a link's side, the side is what the link touches it with. A line that does not turn would
 /// separate them only until the faster end of the link crosses it.
-struct Side<'a> {
-    joint: &'a Joint,
-    normal: Vector,
-    /// How the normal changes.
-    turning: Vector,
-    rate: f64,
-}
-
-impl<'a> Side<'a> {
-    #[inline(always)]
-    fn of(chain: &'a Chain, link: usize) -> Self {
-        let joint = chain.joint(link);
-        let rate = chain.rate(link);
-        Self {
-            joint,
-            normal: Vector::new(-joint.direction.y, joint.direction.x),
-            turning: joint.direction * -rate,
-            rate: rate.abs(),
-        }
-    }
-
-    /// For how long two points, both on one side, stay `apart` from the line.
-    #[inline(always)]
-    fn clear_of(&self, points: [Point; 2], apart: f64) -> f64 {
-        let between = points[0].at - self.joint.at;
-        let sign = if self.normal.dot(between) < 0.0 { -1.0 } else { 1.0 };
-        let open = |point: &Point| {
-            let away = point.at - self.joint.at;
-            let moved = self.normal.dot(point.velocity - self.joint.velocity);
-            let (rate, farthest) = (self.rate, point.farthest);
-            let gap = Gap {
-                width: sign * self.normal.dot(away) - apart - CONTACT,
-                closing: -sign * (self.turning.dot(away) + moved),
-                acceleration: rate * (rate * farthest + 2.0 * point.fastest) + point.acceleration,
-            };
-            gap.open_for()
+#[inline(always)]
+fn clear_of_side(chain: &Chain, link: usize, points: [Point; 2], apart: f64) -> f64 {
+    let Joint { at, velocity, direction } = *chain.joint(link);
+    let rate = chain.rate(link);
+    // The line's normal, and how that changes.
+    let (normal, turning) = (direction.perp(), direction * -rate);
+    let sign = if normal.dot(points[0].at - at) < 0.0 { -1.0 } else { 1.0 };
+    let open_for = |point: Point| {
+        let away = point.at - at;
+        let moved = normal.dot(point.velocity - velocity);
+        let fastest = chain.speed(point.since, point.until);
+        let gap = Gap {
+            width: sign * normal.dot(away) - apart - CONTACT,
+            closing: -sign * (turning.dot(away) + moved),
+            acceleration: rate.abs() * (rate.abs() * point.farthest + 2.0 * fastest)
+                + chain.acceleration(point.since, point.until),
         };
-        open(&points[0]).min(open(&points[1]))
-    }
+        gap.open_for()
+    };
+    let [one, other] = points.map(open_for);
+    one.min(other)
 }

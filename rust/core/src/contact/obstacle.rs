@@ -21,14 +21,12 @@ const MOST_POINTS: usize = 10_000;
 /// let bow_tie = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
 /// assert!(Obstacle::polygon(&bow_tie).is_err());
 /// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct Obstacle(Shape);
-
-#[derive(Debug, Clone, PartialEq)]
-enum Shape {
-    Disc { center: Vector, radius: f64 },
-    Polygon(Vec<Vector>),
-    Wall { start: Vector, end: Vector, thickness: f64 },
+#[derive(Debug, Clone)]
+pub struct Obstacle {
+    /// The capsules that nothing outside can pass without touching one of them.
+    pub(crate) pieces: Vec<Capsule>,
+    /// Whether they are the edges of a polygon.
+    is_outline: bool,
 }
 
 impl Obstacle {
@@ -42,7 +40,7 @@ impl Obstacle {
             let must_be = "positive and at most 1e6";
             return Err(Error::Number { name: "radius", must_be, got: radius });
         }
-        Ok(Self(Shape::Disc { center, radius }))
+        Ok(Self::capsule(center, center, radius))
     }
 
     /// A rectangle along the axes, from its lower left to its upper right corner.
@@ -62,8 +60,8 @@ impl Obstacle {
                 });
             }
         }
-        let corners = vec![a, Vector::new(b.x, a.y), b, Vector::new(a.x, b.y)];
-        Ok(Self(Shape::Polygon(corners)))
+        let corners = [a, Vector::new(b.x, a.y), b, Vector::new(a.x, b.y)];
+        Ok(Self::outline(edges(&corners)))
     }
 
     /// A polygon, convex or not, by its corners in order.
@@ -86,8 +84,9 @@ impl Obstacle {
             });
         }
         let corners: Vec<Vector> = points.iter().copied().map(Vector::from).collect();
-        check_simple(&corners)?;
-        Ok(Self(Shape::Polygon(corners)))
+        let edges: Vec<Segment> = edges(&corners).collect();
+        check_simple(&edges)?;
+        Ok(Self::outline(edges))
     }
 
     /// A straight wall with rounded ends; without thickness it is a line.
@@ -104,31 +103,26 @@ impl Obstacle {
             let (must_be, got) = ("another point than start", format!("{end:?} twice"));
             return Err(Error::Unfit { name: "end".to_owned(), must_be, got });
         }
-        Ok(Self(Shape::Wall { start: a, end: b, thickness }))
+        Ok(Self::capsule(a, b, 0.5 * thickness))
     }
 
-    /// The capsules that nothing outside can pass without touching one of them.
-    pub(crate) fn pieces(&self) -> Vec<Capsule> {
-        match &self.0 {
-            &Shape::Disc { center, radius } => vec![Capsule::new(center, center, radius)],
-            Shape::Polygon(corners) => {
-                edges(corners).map(|edge| Capsule::new(edge.a, edge.b, 0.0)).collect()
-            }
-            &Shape::Wall { start, end, thickness } => {
-                vec![Capsule::new(start, end, 0.5 * thickness)]
-            }
-        }
+    fn capsule(a: Vector, b: Vector, radius: f64) -> Self {
+        Self { pieces: vec![Capsule::new(a, b, radius)], is_outline: false }
+    }
+
+    fn outline(edges: impl IntoIterator<Item = Segment>) -> Self {
+        let pieces = edges.into_iter().map(|Segment { a, b }| Capsule::new(a, b, 0.0)).collect();
+        Self { pieces, is_outline: true }
     }
 
     /// Whether a point that is on none of the pieces lies inside.
     pub(crate) fn surrounds(&self, point: Vector) -> bool {
-        let Shape::Polygon(corners) = &self.0 else { return false };
         // A ray to the right crosses the outline an odd number of times.
-        let crossed = edges(corners).filter(|edge| {
-            let (a, b) = (edge.a - point, edge.b - point);
+        let crossed = self.pieces.iter().filter(|piece| {
+            let (a, b) = (piece.segment.a - point, piece.segment.b - point);
             (a.y > 0.0) != (b.y > 0.0) && (a.perp_dot(b) > 0.0) == (b.y > a.y)
         });
-        crossed.count() % 2 == 1
+        self.is_outline && crossed.count() % 2 == 1
     }
 }
 
@@ -152,8 +146,7 @@ fn edges(corners: &[Vector]) -> impl Iterator<Item = Segment> {
 }
 
 /// Refuses an outline that touches itself.
-fn check_simple(corners: &[Vector]) -> Result<(), Error> {
-    let edges: Vec<Segment> = edges(corners).collect();
+fn check_simple(edges: &[Segment]) -> Result<(), Error> {
     let refuse = |got| {
         let must_be = "corners of an outline that does not touch itself";
         Err(Error::Unfit { name: "points".to_owned(), must_be, got })

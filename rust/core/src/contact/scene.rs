@@ -39,18 +39,15 @@ pub(crate) struct Piece {
 impl Scene {
     /// Of these obstacles.
     pub fn new(obstacles: Vec<Obstacle>) -> Self {
-        let mut pieces: Vec<Piece> = obstacles
-            .iter()
-            .enumerate()
-            .flat_map(|(obstacle, its)| {
-                let piece = move |shape: Capsule| Piece {
-                    axis: shape.segment.into(),
-                    radius: shape.radius,
-                    obstacle,
-                };
-                its.pieces().into_iter().map(piece)
-            })
-            .collect();
+        let pieces_of = |(obstacle, its): (usize, &Obstacle)| {
+            let piece = move |&Capsule { segment, radius }: &Capsule| Piece {
+                axis: segment.into(),
+                radius,
+                obstacle,
+            };
+            its.pieces.iter().map(piece).collect::<Vec<_>>()
+        };
+        let mut pieces: Vec<Piece> = obstacles.iter().enumerate().flat_map(pieces_of).collect();
         // By their places, so that the order of the obstacles changes no bit.
         let place =
             |Piece { axis: Axis { a, b, .. }, radius, .. }: &Piece| [a.x, a.y, b.x, b.y, *radius];
@@ -62,11 +59,6 @@ impl Scene {
         let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
         let boxes = boxes.iter().map(sides).collect();
         Self { obstacles, pieces, boxes, tree }
-    }
-
-    /// All obstacles.
-    pub fn obstacles(&self) -> &[Obstacle] {
-        &self.obstacles
     }
 
     /// The piece of this index.

@@ -18,7 +18,10 @@
 mod grow;
 mod search;
 
+use grow::Rows;
 pub(crate) use search::nearer;
+
+use smallvec::SmallVec;
 
 use crate::error::{Error, check_finite, check_length, check_rows, reserve};
 
@@ -34,41 +37,28 @@ pub struct NearestNeighbors {
     points: Vec<f64>,
     /// How many of them are in the tree: all, but while a log waits for the next search.
     filed: u32,
-    nodes: Vec<Node>,
-    /// Lowest, then highest, coordinates of each node: `2 * dim` numbers.
-    boxes: Vec<f64>,
-    /// The points of each leaf, copied here so that a leaf is read in one go.
-    leaf_points: Vec<f64>,
-    leaf_indices: Vec<[u32; LEAF]>,
-    free_nodes: Vec<u32>,
-    free_leaves: Vec<u32>,
+    root: Option<Node>,
 }
 
 /// A part of space with at least one point in it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Node {
     /// How many points it holds.
     size: u32,
     /// The earliest of them.
     earliest: u32,
+    /// Their lowest, then highest, coordinates: `2 * dim` numbers, up to three dimensions in place.
+    bounds: SmallVec<[f64; 6]>,
     kind: Kind,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 enum Kind {
-    Leaf {
-        slot: u32,
-    },
-    /// A new point goes left if its coordinate is below `at`, else right.
-    Split {
-        axis: u32,
-        at: f64,
-        left: u32,
-        right: u32,
-    },
+    /// The points are copied here so that a leaf is read in one go.
+    Leaf { points: Vec<f64>, indices: Vec<u32> },
+    /// A new point goes to the first half if its coordinate is below `at`, else to the second.
+    Split { axis: usize, at: f64, halves: Box<[Node; 2]> },
 }
-
-const ROOT: u32 = 0;
 
 impl NearestNeighbors {
     /// An empty set of points in R^`dim`.
@@ -79,17 +69,7 @@ impl NearestNeighbors {
         if dim == 0 {
             return Err(Error::Count { name: "dim", must_be: "at least 1".into(), got: dim });
         }
-        Ok(Self {
-            dim,
-            points: Vec::new(),
-            filed: 0,
-            nodes: Vec::new(),
-            boxes: Vec::new(),
-            leaf_points: Vec::new(),
-            leaf_indices: Vec::new(),
-            free_nodes: Vec::new(),
-            free_leaves: Vec::new(),
-        })
+        Ok(Self { dim, points: Vec::new(), filed: 0, root: None })
     }
 
     /// The dimension of the points.
@@ -119,13 +99,13 @@ impl NearestNeighbors {
     /// How many levels the tree has.
     #[must_use]
     pub fn depth(&self) -> usize {
-        fn below(tree: &NearestNeighbors, node: u32) -> usize {
-            match tree.nodes[node as usize].kind {
+        fn levels(node: &Node) -> usize {
+            match &node.kind {
                 Kind::Leaf { .. } => 1,
-                Kind::Split { left, right, .. } => 1 + below(tree, left).max(below(tree, right)),
+                Kind::Split { halves, .. } => 1 + levels(&halves[0]).max(levels(&halves[1])),
             }
         }
-        if self.is_empty() { 0 } else { below(self, ROOT) }
+        self.root.as_ref().map_or(0, levels)
     }
 
     /// Adds a point; its index is the number of points before it.
@@ -176,7 +156,12 @@ impl NearestNeighbors {
     /// Brings the tree up to date with all that was logged.
     pub(crate) fn file_all(&mut self) {
         while (self.filed as usize) < self.len() {
-            self.file_next();
+            let points = Rows { numbers: &self.points, dim: self.dim };
+            match &mut self.root {
+                Some(root) => root.insert(self.filed, points),
+                None => self.root = Some(Node::build(&mut [self.filed], points)),
+            }
+            self.filed += 1;
         }
     }
 

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use smallvec::SmallVec;
 
-use super::{Kind, LEAF, NearestNeighbors, ROOT};
+use super::{Kind, NearestNeighbors, Node};
 use crate::error::{Error, check_finite, check_length};
 
 /// A point found: smaller means nearer, then earlier.
@@ -188,16 +188,12 @@ impl NearestNeighbors {
         let dim = if DIM == 0 { self.dim } else { DIM };
         let query = &query[..dim];
         // Nodes still to visit, each with the bound that its box gives: at most one a level.
-        let mut waiting = SmallVec::<[(u32, Found); 32]>::new();
-        let mut next = Some((ROOT, self.box_bound(ROOT, query, dim)));
+        let mut waiting = SmallVec::<[(&Node, Found); 32]>::new();
+        let mut next = self.root.as_ref().map(|root| (root, root.bound(query, dim)));
         while let Some((node, lower)) = next {
             if lower < bound {
-                match self.nodes[node as usize].kind {
-                    Kind::Leaf { slot } => {
-                        let size = self.nodes[node as usize].size as usize;
-                        let slot = slot as usize;
-                        let points = &self.leaf_points[slot * LEAF * dim..][..size * dim];
-                        let indices = &self.leaf_indices[slot][..size];
+                match &node.kind {
+                    Kind::Leaf { points, indices } => {
                         for (point, &index) in points.chunks_exact(dim).zip(indices) {
                             let found = Found { squared: squared_distance(query, point), index };
                             if found < bound {
@@ -205,9 +201,8 @@ impl NearestNeighbors {
                             }
                         }
                     }
-                    Kind::Split { left, right, .. } => {
-                        let a = (left, self.box_bound(left, query, dim));
-                        let b = (right, self.box_bound(right, query, dim));
+                    Kind::Split { halves, .. } => {
+                        let [a, b] = halves.each_ref().map(|half| (half, half.bound(query, dim)));
                         let (near, far) = if b.1 < a.1 { (b, a) } else { (a, b) };
                         if far.1 < bound {
                             waiting.push(far);
@@ -220,19 +215,20 @@ impl NearestNeighbors {
             next = waiting.pop();
         }
     }
+}
 
-    /// A bound from below on all that a node's points could be found as.
+impl Node {
+    /// A bound from below on all that its points could be found as.
     #[inline(always)]
-    fn box_bound(&self, node: u32, query: &[f64], dim: usize) -> Found {
-        let bounds = &self.boxes[node as usize * 2 * dim..][..2 * dim];
-        let (low, high) = bounds.split_at(dim);
+    fn bound(&self, query: &[f64], dim: usize) -> Found {
+        let (low, high) = self.bounds[..2 * dim].split_at(dim);
         let mut squared = 0.0;
         for j in 0..dim {
             // Same operations in the same order as squared_distance().
             let outside = larger(larger(low[j] - query[j], query[j] - high[j]), 0.0);
             squared += outside * outside;
         }
-        Found { squared, index: self.nodes[node as usize].earliest }
+        Found { squared, index: self.earliest }
     }
 }
 

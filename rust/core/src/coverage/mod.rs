@@ -6,11 +6,11 @@
 //! (`plane`) and balls ([`space`]) exactly, more dimensions by an [`estimate`] that knows its
 //! error.
 
+mod cubes;
 pub mod estimate;
 mod line;
 mod plane;
 pub mod space;
-mod sum;
 mod union;
 
 use crate::error::{Error, check_finite, check_length, check_rows, place};

@@ -14,7 +14,6 @@
 //! All of it happens relative to the new centre, in units of the radius and of a ball.
 
 mod directions;
-mod grid;
 mod lens;
 mod nearby;
 mod rays;
@@ -24,12 +23,12 @@ mod sobol;
 mod stream;
 
 use directions::{Directions, LANES, SETS};
-use grid::Grid;
 use nearby::Nearby;
 use rays::Shares;
 use rotation::Rotation;
 use stream::{Purpose, Stream};
 
+use super::cubes::Cubes;
 use crate::instructions::{Dispatch, Instructions};
 
 /// Directions of each set that a gain begins with: 1024 rays in all.
@@ -66,20 +65,13 @@ pub struct Estimate {
     /// How many effects have been added, stored or not: the counter of random numbers.
     len: u64,
     ball: f64,
-    grid: Grid,
+    centres: Cubes,
     directions: Directions,
     dispatch: Dispatch,
     // Room for the work on one gain.
     nearby: Nearby,
     rotation: Rotation,
     pieces: Vec<(usize, f64, f64)>,
-}
-
-/// What looking at an effect found, in units of a ball.
-struct Look {
-    share: f64,
-    error: f64,
-    known: bool,
 }
 
 impl Estimate {
@@ -95,7 +87,7 @@ impl Estimate {
             key,
             len: 0,
             ball: lens::ball(tau, dim),
-            grid: Grid::new(dim, 2.0 * tau),
+            centres: Cubes::new(dim, tau),
             directions: Directions::new(dim, key),
             dispatch: Dispatch::widest(),
             nearby: Nearby::new(dim),
@@ -119,40 +111,38 @@ impl Estimate {
 
     /// What `effect` would add, without adding it.
     pub fn gain(&mut self, effect: &[f64]) -> Estimated {
-        let look = self.look_at(effect);
-        self.scaled(&look)
+        self.look_at(effect).unwrap_or(Estimated { gain: 0.0, standard_error: 0.0 })
     }
 
     /// Adds an effect and returns what it adds: the same numbers as [`gain`](Self::gain) would.
     pub fn insert(&mut self, effect: &[f64]) -> Estimated {
-        let look = self.look_at(effect);
+        let found = self.look_at(effect);
         self.len += 1;
-        // A share of 0 may be one that no ray met: only a known effect adds nothing for sure.
-        if !look.known {
-            self.grid.insert(effect);
+        // A gain of 0 may be one that no ray met: only a known effect adds nothing for sure.
+        if found.is_some() {
+            self.centres.insert(effect);
         }
-        self.scaled(&look)
+        found.unwrap_or(Estimated { gain: 0.0, standard_error: 0.0 })
     }
 
     /// Adds an effect whose gain is known: all later numbers are as after [`insert`](Self::insert).
     pub(crate) fn replay(&mut self, effect: &[f64]) {
         self.len += 1;
-        if !self.grid.around(effect).any(|centre| centre == effect) {
-            self.grid.insert(effect);
+        if !self
+            .centres
+            .around(effect)
+            .any(|rows| rows.chunks_exact(self.dim).any(|row| row == effect))
+        {
+            self.centres.insert(effect);
         }
     }
 
-    fn scaled(&self, look: &Look) -> Estimated {
-        // A ball may be beyond all numbers; nothing of it is nothing.
-        let scale = |share: f64| if share == 0.0 { 0.0 } else { share * self.ball };
-        Estimated { gain: scale(look.share), standard_error: scale(look.error) }
-    }
-
-    fn look_at(&mut self, effect: &[f64]) -> Look {
+    /// What an effect adds; None if it is a known one.
+    fn look_at(&mut self, effect: &[f64]) -> Option<Estimated> {
         self.nearby.clear();
-        for centre in self.grid.around(effect) {
+        for centre in self.centres.around(effect).flat_map(|rows| rows.chunks_exact(self.dim)) {
             if centre == effect {
-                return Look { share: 0.0, error: 0.0, known: true };
+                return None;
             }
             self.nearby.consider(effect, centre, self.tau);
         }
@@ -164,7 +154,9 @@ impl Estimate {
         } else {
             (1.0, 0.0)
         };
-        Look { share: share.clamp(0.0, 1.0), error, known: false }
+        // A ball may be beyond all numbers; nothing of it is nothing.
+        let scale = |share: f64| if share == 0.0 { 0.0 } else { share * self.ball };
+        Some(Estimated { gain: scale(share.clamp(0.0, 1.0)), standard_error: scale(error) })
     }
 
     /// The free share by sampling, where balls that meet no other cover `alone`.

@@ -34,8 +34,6 @@ pub(crate) struct Cell {
     /// Centres of discs without: they matter where rounding decides, and nowhere else.
     #[expect(clippy::box_collection, reason = "a third of a list's size in a million cells")]
     dead: Option<Box<Vec<[f64; 2]>>>,
-    /// Which of the cell's squares, `SQUARES` x `SQUARES`, hold a centre of either kind.
-    occupied: [u16; SQUARES],
     /// The exposed arcs of the live discs in order, where there are many.
     crowd: Option<Box<Crowd>>,
 }
@@ -50,10 +48,6 @@ struct Rough {
 
 /// A cell's edge in radii. Among a million discs 4 takes twice the time, 6 half more, 12 as much.
 const EDGE: f64 = 8.0;
-
-/// Squares along a cell's edge: so many that two centres in one of them, and the disc around
-/// any point as far as a radius from one of them, overlap.
-const SQUARES: usize = 12;
 
 /// How far to look, in radii: twice one, and what rounding may take.
 const REACH: f64 = 2.000_001;
@@ -166,8 +160,6 @@ impl Grid {
         let ((i, across), (j, up)) = (locate(disc.x / self.edge), locate(disc.y / self.edge));
         let index = self.index_at((i, j)).unwrap_or_else(|| self.add_cell((i, j)));
         let cell = &mut self.cells[index as usize];
-        let square = |share: f64| ((share * SQUARES as f64) as usize).min(SQUARES - 1);
-        cell.occupied[square(across)] |= 1 << square(up);
         if disc.arcs.is_empty() {
             cell.bury([disc.x, disc.y]); // it fills the last hole nearby
         } else if let Some(crowd) = &mut cell.crowd {
@@ -193,22 +185,18 @@ impl Grid {
 
     /// Whether a disc that crosses no exposed arc overlaps the union - and so lies in it.
     ///
-    /// Inside, some centre is closer than a radius, and the square that it lies in less than two
-    /// radii wide as seen from here; outside, no centre is closer than two.
+    /// Inside, some centre is closer than a radius; outside, no centre is closer than two.
     pub fn is_inside(&self, x: f64, y: f64) -> bool {
-        if self.is_far(x, y) {
-            return self.is_overlapped(x, y);
-        }
-        let mut cells = self.around(x, y).into_iter().flatten();
-        cells.any(|(index, place)| self.cells[index as usize].is_occupied_near(place))
-    }
-
-    /// Whether any centre is closer than two radii: by looking at all that may be.
-    fn is_overlapped(&self, x: f64, y: f64) -> bool {
-        self.stored_around(x, y).any(|[cx, cy]| {
+        let near = |[cx, cy]: [f64; 2]| {
             let (dx, dy) = ((cx - x) / self.tau, (cy - y) / self.tau);
-            dx * dx + dy * dy < 4.0
-        })
+            dx * dx + dy * dy < 2.0
+        };
+        let cells = || {
+            self.around(x, y).into_iter().flatten().map(|(index, _)| &self.cells[index as usize])
+        };
+        // Most are covered by a disc without boundary: others near are looked at before.
+        cells().any(|cell| cell.dead().iter().rev().copied().any(near))
+            || cells().any(|cell| cell.live().any(near))
     }
 
     /// Whether a disc without boundary has this very centre.
@@ -228,8 +216,7 @@ impl Grid {
     pub fn stored_around(&self, x: f64, y: f64) -> impl Iterator<Item = [f64; 2]> {
         self.around(x, y).into_iter().flatten().flat_map(|(index, _)| {
             let cell = &self.cells[index as usize];
-            let live = cell.live.iter().filter(|disc| !disc.arcs.is_empty());
-            live.map(|disc| [disc.x, disc.y]).chain(cell.dead().iter().copied())
+            cell.live().chain(cell.dead().iter().copied())
         })
     }
 }
@@ -286,26 +273,15 @@ impl Cell {
         self.dead.get_or_insert_default().push(centre);
     }
 
+    /// The centres of discs that have boundary.
+    fn live(&self) -> impl Iterator<Item = [f64; 2]> {
+        let live = self.live.iter().filter(|disc| !disc.arcs.is_empty());
+        live.map(|disc| [disc.x, disc.y])
+    }
+
     /// The centres of discs without boundary.
     fn dead(&self) -> &[[f64; 2]] {
         self.dead.as_ref().map_or(&[], |dead| dead.as_slice())
-    }
-
-    /// Whether a square within a radius of a place, seen from the lower left corner, holds a centre.
-    fn is_occupied_near(&self, place: [f32; 2]) -> bool {
-        let scale = SQUARES as f32 / EDGE as f32;
-        let [x, y] = place.map(|x| x * scale);
-        let reach = scale + 1e-3;
-        let squares =
-            |x: f32| (x - reach).max(0.0) as usize..((x + reach).max(-1.0) + 1.0) as usize;
-        let away =
-            |square: usize, x: f32| (square as f32 - x).max(x - square as f32 - 1.0).max(0.0);
-        squares(x).take_while(|&i| i < SQUARES).any(|i| {
-            squares(y).take_while(|&j| j < SQUARES).any(|j| {
-                self.occupied[i] >> j & 1 == 1
-                    && away(i, x) * away(i, x) + away(j, y) * away(j, y) <= reach * reach
-            })
-        })
     }
 
     /// Gives up a crowd that has scattered.

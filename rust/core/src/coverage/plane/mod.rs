@@ -24,7 +24,7 @@ mod survey;
 
 use smallvec::SmallVec;
 
-use super::sum::CompensatedSum;
+use crate::exact_sum::ExactSum;
 use area::twice_area_under;
 pub use boundary::BoundaryArc;
 use circle::{Arc, Direction, Span};
@@ -135,7 +135,7 @@ impl Discs {
     /// The area enclosed by the exposed arcs, from scratch: what the gains add up to, step by
     /// step. Costs one pass over the boundary.
     pub fn boundary_integral(&self) -> f64 {
-        let mut twice = CompensatedSum::default();
+        let mut twice = ExactSum::default();
         for disc in self.grid.discs() {
             let centre = (disc.x / self.tau, disc.y / self.tau);
             for arc in &disc.arcs {
@@ -143,6 +143,6 @@ impl Discs {
                 twice.add(twice_area_under(Arc { from, to }, centre));
             }
         }
-        0.5 * twice.total() * self.tau * self.tau
+        0.5 * twice.value() * self.tau * self.tau
     }
 }

@@ -3,7 +3,7 @@
 //! The union is known by its centres alone. What a new ball adds follows from the faces of the
 //! new centre's Voronoi cell and of the cells that it takes from (`survey`); each face is a
 //! convex polygon in a disc (`face`, `polygon`, `turn`), found anew each time from the centres
-//! around (`neighbours`, `grid`); most redundant balls are known by less (`cover`). Nothing is
+//! around (`neighbours`); most redundant balls are known by less (`cover`). Nothing is
 //! traced round the union's surface, so balls that touch, coincide or meet in one point are no
 //! special cases: tiny faces give tiny amounts.
 //!
@@ -13,21 +13,20 @@
 
 mod cover;
 mod face;
-mod grid;
 mod neighbours;
 mod polygon;
 mod survey;
 mod turn;
 mod vector;
 
-use grid::Grid;
+use super::cubes::Cubes;
 use survey::Survey;
 
 /// The union of the balls of radius tau around effects in space.
 #[derive(Debug, Clone)]
 pub struct Balls {
     tau: f64,
-    grid: Grid,
+    centres: Cubes,
     survey: Survey,
 }
 
@@ -35,7 +34,7 @@ impl Balls {
     /// The empty union of balls of radius `tau`, in [1e-100, 1e100].
     #[must_use]
     pub fn new(tau: f64) -> Self {
-        Self { tau, grid: Grid::new(2.0 * tau), survey: Survey::default() }
+        Self { tau, centres: Cubes::new(3, tau), survey: Survey::default() }
     }
 
     /// The volume that a ball around `effect` would add, without adding it.
@@ -43,27 +42,27 @@ impl Balls {
     /// `effect` must be finite. A gain below 1e-13 of a ball is 0.
     pub fn gain(&mut self, effect: [f64; 3]) -> f64 {
         // A lone ball's gain has the same bits each time.
-        self.survey.gain(effect, self.tau, &self.grid) * (self.tau * self.tau * self.tau)
+        self.survey.gain(effect, self.tau, &self.centres) * (self.tau * self.tau * self.tau)
     }
 
     /// Adds a ball around `effect`, which must be finite, and returns the volume that it adds.
     pub fn insert(&mut self, effect: [f64; 3]) -> f64 {
         let gain = self.gain(effect);
         if gain > 0.0 {
-            self.grid.insert(effect);
+            self.centres.insert(&effect);
         }
         gain
     }
 
     /// Adds a ball that is known to add something, without finding out how much.
     pub(crate) fn replay(&mut self, effect: [f64; 3]) {
-        self.grid.insert(effect);
+        self.centres.insert(&effect);
     }
 
     /// How many balls had to be stored: the others lay wholly in the union.
     #[must_use]
     pub fn stored(&self) -> usize {
-        self.grid.len()
+        self.centres.len()
     }
 }
 

@@ -1,6 +1,8 @@
 //! The stored balls that overlap a new one, nearest first.
 
-use super::grid::Grid;
+use std::cmp::Ordering;
+
+use super::super::cubes::Cubes;
 use super::vector::{Vector, dot};
 
 /// Two unit balls whose centres are further apart than the root of this only touch: each loses
@@ -26,10 +28,11 @@ pub(crate) struct Neighbours {
 
 impl Neighbours {
     /// Collects the centres that are near enough to `effect`, with `tau` the balls' radius.
-    pub fn find(&mut self, grid: &Grid, tau: f64, effect: Vector) {
+    pub fn find(&mut self, cubes: &Cubes, tau: f64, effect: Vector) {
         self.found.clear();
         self.sorted = 0;
-        for centres in grid.around(effect) {
+        for centres in cubes.around(&effect) {
+            let centres = centres.as_chunks::<3>().0;
             // Five in six are too far, in no predictable order: each is written, and the
             // place kept only if it is near.
             let start = self.found.len();
@@ -98,13 +101,11 @@ impl Neighbours {
 impl Neighbour {
     /// By distance, then by place: no two are equal, so the order does not depend on how it
     /// was sorted, nor on who was stored first.
-    fn order(&self, other: &Self) -> std::cmp::Ordering {
-        self.squared.total_cmp(&other.squared).then_with(|| {
-            let places = self.at.iter().zip(&other.at);
-            places
-                .map(|(a, b)| a.total_cmp(b))
-                .find(|o| o.is_ne())
-                .unwrap_or(std::cmp::Ordering::Equal)
+    fn order(&self, other: &Self) -> Ordering {
+        let order = self.squared.total_cmp(&other.squared);
+        let places = || self.at.iter().zip(&other.at);
+        order.then_with(|| {
+            places().fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(b)))
         })
     }
 }
@@ -115,14 +116,14 @@ mod tests {
 
     #[test]
     fn nearest_first_and_none_beyond_two_radii() {
-        let mut grid = Grid::new(2.0);
+        let mut cubes = Cubes::new(3, 1.0);
         for i in 0..400_i32 {
             // Spread over [-3, 3] in an order without order.
             let x = f64::from(i * 37 % 401) * 6.0 / 401.0 - 3.0;
-            grid.insert([x, 0.3, -0.1]);
+            cubes.insert(&[x, 0.3, -0.1]);
         }
         let mut neighbours = Neighbours::default();
-        neighbours.find(&grid, 1.0, [0.1, 0.3, -0.1]);
+        neighbours.find(&cubes, 1.0, [0.1, 0.3, -0.1]);
         let mut distances = Vec::new();
         while let Some(neighbour) = neighbours.nearest(distances.len()) {
             distances.push(neighbour.squared);

@@ -17,9 +17,9 @@
 
 use std::f64::consts::PI;
 
+use super::super::cubes::Cubes;
 use super::cover::is_covered;
 use super::face::Face;
-use super::grid::Grid;
 use super::neighbours::{Neighbour, Neighbours, TOUCHING};
 use super::vector::{Vector, dot, minus};
 
@@ -57,10 +57,10 @@ struct Cell {
 }
 
 impl Survey {
-    /// The volume that a ball of radius `tau` around `effect` adds to those in `grid`, in units
+    /// The volume that a ball of radius `tau` around `effect` adds to those around `centres`, in units
     /// of tau^3: 0, or more than noise.
-    pub fn gain(&mut self, effect: Vector, tau: f64, grid: &Grid) -> f64 {
-        self.neighbours.find(grid, tau, effect);
+    pub fn gain(&mut self, effect: Vector, tau: f64, centres: &Cubes) -> f64 {
+        self.neighbours.find(centres, tau, effect);
         // What a few cover, all do.
         if self.neighbours.len() > CROWD {
             self.few.choose(&self.neighbours);

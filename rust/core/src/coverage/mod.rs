@@ -29,14 +29,13 @@ pub struct Coverage {
     dim: usize,
     sampling: Sampling,
     union: Union,
-    /// All effects, coordinate by coordinate, what each gained and, if estimated, its error.
-    effects: Vec<f64>,
+    /// All effects, to be searched once somebody asks where they lie.
+    effects: NearestNeighbors,
+    /// What each gained and, if estimated, its error.
     gains: Vec<f64>,
     errors: Vec<f64>,
     measure: ExactSum,
     variance: ExactSum,
-    /// The effects once more, as far as somebody asked where they lie.
-    tree: NearestNeighbors,
 }
 
 impl Coverage {
@@ -79,12 +78,11 @@ impl Coverage {
             dim,
             sampling,
             union,
-            effects: Vec::new(),
+            effects: NearestNeighbors::new(dim)?,
             gains: Vec::new(),
             errors: Vec::new(),
             measure: ExactSum::default(),
             variance: ExactSum::default(),
-            tree: NearestNeighbors::new(dim)?,
         })
     }
 
@@ -188,7 +186,7 @@ impl Coverage {
     /// All effects, coordinate by coordinate.
     #[must_use]
     pub fn effects(&self) -> &[f64] {
-        &self.effects
+        self.effects.points()
     }
 
     /// What each effect gained when it came.
@@ -256,10 +254,10 @@ impl Coverage {
             let must_be = format!("less than the number of effects, {}", self.len());
             return Err(Error::Count { name: "index", must_be, got: index });
         }
-        self.sync_tree()?;
+        self.file_effects()?;
         let effect = self.effect(index);
         // A little more than the reach: what only touches takes nothing away.
-        let mut near = self.tree.within(effect, 2.000_001 * self.tau)?;
+        let mut near = self.effects.within(effect, 2.000_001 * self.tau)?;
         near.retain(|&other| other != index);
         near.sort_unstable();
         let mut others = Union::new(self.tau, self.dim, self.sampling);
@@ -276,8 +274,8 @@ impl Coverage {
     pub fn contains(&mut self, point: impl AsRef<[f64]>) -> Result<bool, Error> {
         let point = point.as_ref();
         self.check("point", point)?;
-        self.sync_tree()?;
-        Ok(!self.is_empty() && self.tree.nearest(point)?.0 <= self.tau)
+        self.file_effects()?;
+        Ok(!self.is_empty() && self.effects.nearest(point)?.0 <= self.tau)
     }
 
     /// In the plane, the union's boundary as closed loops of arcs, counter-clockwise each around
@@ -309,7 +307,7 @@ impl Coverage {
     }
 
     fn effect(&self, index: usize) -> &[f64] {
-        &self.effects[index * self.dim..(index + 1) * self.dim]
+        &self.effects()[index * self.dim..][..self.dim]
     }
 
     fn check(&self, name: &'static str, point: &[f64]) -> Result<(), Error> {
@@ -324,7 +322,7 @@ impl Coverage {
     }
 
     fn record(&mut self, effect: &[f64], Estimated { gain, standard_error }: Estimated) {
-        self.effects.extend_from_slice(effect);
+        self.effects.log(effect);
         self.gains.push(gain);
         self.measure.add(gain);
         if !self.is_exact() {
@@ -335,9 +333,11 @@ impl Coverage {
         }
     }
 
-    /// Brings the tree up to date.
-    fn sync_tree(&mut self) -> Result<(), Error> {
-        self.tree.extend(&self.effects[self.tree.len() * self.dim..])
+    /// Lets all effects be searched.
+    fn file_effects(&mut self) -> Result<(), Error> {
+        self.effects.check_room(0)?;
+        self.effects.file_all();
+        Ok(())
     }
 }
 

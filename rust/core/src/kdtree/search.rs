@@ -7,32 +7,11 @@ use smallvec::SmallVec;
 use super::{Kind, NearestNeighbors, Node};
 use crate::error::{Error, check_finite, check_length};
 
-/// A point found: smaller means nearer, then earlier.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Found {
-    squared: f64,
-    index: u32,
-}
+/// A point found: its squared distance, which is neither -0.0 nor NaN, and its index.
+type Found = (f64, u32);
 
-impl Eq for Found {}
-
-impl Ord for Found {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.squared.total_cmp(&other.squared).then(self.index.cmp(&other.index))
-    }
-}
-
-impl PartialOrd for Found {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-
-    /// The same as `cmp` says, in fewer instructions: squares are neither -0.0 nor NaN.
-    #[inline(always)]
-    fn lt(&self, other: &Self) -> bool {
-        self.squared < other.squared || (self.squared == other.squared && self.index < other.index)
-    }
-}
+/// What any point is nearer than.
+const NOTHING: Found = (f64::INFINITY, u32::MAX);
 
 /// The order of what was found: the nearer, then the earlier first.
 pub(crate) fn nearer(a: &(f64, usize), b: &(f64, usize)) -> Ordering {
@@ -52,13 +31,7 @@ impl NearestNeighbors {
 
     /// What [`nearest`](Self::nearest) finds, with the square of the distance.
     pub(crate) fn nearest_squared(&self, query: &[f64]) -> Result<(f64, usize), Error> {
-        self.check_query(query)?;
-        let mut best = Found { squared: f64::INFINITY, index: u32::MAX };
-        self.search(query, best, |found| {
-            best = best.min(found);
-            best
-        });
-        Ok((best.squared, best.index as usize))
+        self.nearest_or_within(query, f64::NEG_INFINITY)
     }
 
     /// The squared distance and the index of the nearest point - or of any whose squared distance is
@@ -68,14 +41,13 @@ impl NearestNeighbors {
         query: &[f64],
         enough: f64,
     ) -> Result<(f64, usize), Error> {
-        const END: Found = Found { squared: f64::NEG_INFINITY, index: 0 };
         self.check_query(query)?;
-        let mut best = Found { squared: f64::INFINITY, index: u32::MAX };
+        let mut best = NOTHING;
         self.search(query, best, |found| {
             best = found;
-            if found.squared <= enough { END } else { found }
+            if found.0 <= enough { (f64::NEG_INFINITY, 0) } else { found }
         });
-        Ok((best.squared, best.index as usize))
+        Ok((best.0, best.1 as usize))
     }
 
     /// The `k` nearest points, nearest first and, at the same distance, earliest first.
@@ -126,12 +98,12 @@ impl NearestNeighbors {
         let room = k.saturating_add(k / 2).saturating_add(8).min(self.len());
         found.clear();
         found.reserve(room);
-        let mut bound = Found { squared: f64::INFINITY, index: u32::MAX };
-        self.search(query, bound, |near| {
-            found.push((near.squared, near.index as usize));
+        let mut bound = NOTHING;
+        self.search(query, bound, |(squared, index)| {
+            found.push((squared, index as usize));
             if found.len() == room && room > k {
                 let (_, farthest, _) = found.select_nth_unstable_by(k - 1, nearer);
-                bound = Found { squared: farthest.0, index: farthest.1 as u32 };
+                bound = (farthest.0, farthest.1 as u32);
                 found.truncate(k);
             }
             bound
@@ -149,10 +121,10 @@ impl NearestNeighbors {
     /// If there are no points, or `query` is not `dim` finite numbers.
     pub fn within(&self, query: &[f64], radius: f64) -> Result<Vec<usize>, Error> {
         self.check_query(query)?;
-        let bound = Found { squared: radius * radius, index: u32::MAX };
+        let bound = (radius * radius, u32::MAX);
         let mut found = Vec::new();
-        self.search(query, bound, |near| {
-            found.push(near.index as usize);
+        self.search(query, bound, |(_, index)| {
+            found.push(index as usize);
             bound
         });
         Ok(found)
@@ -195,7 +167,7 @@ impl NearestNeighbors {
                 match &node.kind {
                     Kind::Leaf { points, indices } => {
                         for (point, &index) in points.chunks_exact(dim).zip(indices) {
-                            let found = Found { squared: squared_distance(query, point), index };
+                            let found = (squared_distance(query, point), index);
                             if found < bound {
                                 bound = accept(found);
                             }
@@ -228,7 +200,7 @@ impl Node {
             let outside = larger(larger(low[j] - query[j], query[j] - high[j]), 0.0);
             squared += outside * outside;
         }
-        Found { squared, index: self.earliest }
+        (squared, self.earliest)
     }
 }
 

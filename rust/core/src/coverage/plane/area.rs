@@ -31,25 +31,13 @@ impl Default for TwiceArea {
 const AT_ONCE: u32 = 16;
 
 impl TwiceArea {
-    /// Adds an arc of the unit circle around the origin.
+    /// Adds an arc of the unit circle around `(cx, cy)`, or with the sign -1 takes it away.
     #[inline]
-    pub fn add_own(&mut self, arc: Arc) {
-        self.rotate(arc, 1.0);
-    }
-
-    /// Takes away an arc of the unit circle around `(cx, cy)`.
-    #[inline]
-    pub fn remove(&mut self, arc: Arc, (cx, cy): (f64, f64)) {
-        self.sum -= cx * (arc.to.y - arc.from.y) - cy * (arc.to.x - arc.from.x);
-        self.rotate(arc, -1.0);
-    }
-
-    /// Rotates by the angle from one end of an arc to the other, or back.
-    #[inline]
-    fn rotate(&mut self, Arc { from, to }: Arc, sign: f64) {
+    pub fn add(&mut self, Arc { from, to }: Arc, (cx, cy): (f64, f64), sign: f64) {
         if self.arcs == AT_ONCE {
             *self = Self { sum: self.total(), ..Self::default() };
         }
+        self.sum += sign * (cx * (to.y - from.y) - cy * (to.x - from.x));
         let (cosine, sine) =
             (from.x * to.x + from.y * to.y, sign * (from.x * to.y - from.y * to.x));
         let (x, y) = self.rotated;
@@ -67,11 +55,4 @@ impl TwiceArea {
         let whole = (turns + 0.5_f64.copysign(turns)).trunc();
         self.sum + (angle + whole * TAU)
     }
-}
-
-/// The integral of x dy - y dx along an arc of the unit circle around `(cx, cy)`.
-pub(crate) fn twice_area_under(arc: Arc, (cx, cy): (f64, f64)) -> f64 {
-    let mut area = TwiceArea::default();
-    area.add_own(arc);
-    area.total() + (cx * (arc.to.y - arc.from.y) - cy * (arc.to.x - arc.from.x))
 }

@@ -46,6 +46,13 @@ struct Rough {
     sectors: Sectors,
 }
 
+impl Rough {
+    fn of(disc: &Disc, edge: f64) -> Self {
+        let place = [disc.x, disc.y].map(|x| (EDGE * locate(x / edge).1) as f32);
+        Self { place, sectors: sectors::of_arcs(&disc.arcs) }
+    }
+}
+
 /// A cell's edge in radii. Among a million discs 4 takes twice the time, 6 half more, 12 as much.
 const EDGE: f64 = 8.0;
 
@@ -108,7 +115,9 @@ impl Grid {
     #[inline]
     fn around(&self, x: f64, y: f64) -> [Option<(u32, [f32; 2])>; 4] {
         let reach = REACH * self.tau;
-        let unit = if self.is_far(x, y) { f64::NAN } else { EDGE };
+        // Far from the origin places in a cell are not told apart.
+        let is_far = x.abs().max(y.abs()) / self.edge > 1e12;
+        let unit = if is_far { f64::NAN } else { EDGE };
         let columns = |x: f64| {
             let quotient = x / self.edge;
             [x - reach, x + reach].map(|end| {
@@ -129,19 +138,13 @@ impl Grid {
         ]
     }
 
-    /// Whether a point lies so far from the origin that places in a cell are not told apart.
-    #[inline]
-    fn is_far(&self, x: f64, y: f64) -> bool {
-        x.abs().max(y.abs()) / self.edge > 1e12
-    }
-
     /// Lists the discs, by cell and place, whose exposed arcs the disc around a point may meet.
     #[inline]
     pub fn meeting(&mut self, x: f64, y: f64, met: &mut Vec<(u32, u32)>) {
         met.clear();
         for (index, place) in self.around(x, y).into_iter().flatten() {
             let cell = &mut self.cells[index as usize];
-            cell.settle(self.tau);
+            cell.settle(self.edge);
             let start = met.len();
             if let Some(crowd) = &mut cell.crowd {
                 let places = crowd.reaching([x, y], &cell.live);
@@ -157,16 +160,15 @@ impl Grid {
     /// Files a disc.
     pub fn insert(&mut self, disc: Disc) {
         let tau = self.tau;
-        let ((i, across), (j, up)) = (locate(disc.x / self.edge), locate(disc.y / self.edge));
-        let index = self.index_at((i, j)).unwrap_or_else(|| self.add_cell((i, j)));
+        let at = (locate(disc.x / self.edge).0, locate(disc.y / self.edge).0);
+        let index = self.index_at(at).unwrap_or_else(|| self.add_cell(at));
         let cell = &mut self.cells[index as usize];
         if disc.arcs.is_empty() {
             cell.bury([disc.x, disc.y]); // it fills the last hole nearby
         } else if let Some(crowd) = &mut cell.crowd {
             crowd.insert(disc, &mut cell.live);
         } else {
-            let place = [(EDGE * across) as f32, (EDGE * up) as f32];
-            cell.rough.push(Rough { place, sectors: sectors::of_arcs(&disc.arcs) });
+            cell.rough.push(Rough::of(&disc, self.edge));
             cell.live.push(disc);
             if cell.live.len() >= CROWDED {
                 cell.crowd = Some(Box::new(Crowd::new(&cell.live, tau)));
@@ -188,23 +190,29 @@ impl Grid {
     /// Inside, some centre is closer than a radius; outside, no centre is closer than two.
     pub fn is_inside(&self, x: f64, y: f64) -> bool {
         let near = |[cx, cy]: [f64; 2]| {
-            let (dx, dy) = ((cx - x) / self.tau, (cy - y) / self.tau);
-            dx * dx + dy * dy < 2.0
+            (cx - x) * (cx - x) + (cy - y) * (cy - y) < 2.0 * self.tau * self.tau
         };
-        let cells = || {
-            self.around(x, y).into_iter().flatten().map(|(index, _)| &self.cells[index as usize])
-        };
-        // Most are covered by a disc without boundary: others near are looked at before.
-        cells().any(|cell| cell.dead().iter().rev().copied().any(near))
-            || cells().any(|cell| cell.live().any(near))
+        let buried = |cell: &Cell| cell.dead().iter().copied().any(near);
+        // Most are covered by a disc in the same cell and without boundary.
+        self.cell([x, y]).is_some_and(buried)
+            || self.cells_around(x, y).any(|cell| buried(cell) || cell.live().any(near))
     }
 
     /// Whether a disc without boundary has this very centre.
     #[cold]
     pub fn has_buried(&self, centre: [f64; 2]) -> bool {
-        let [i, j] = centre.map(|x| locate(x / self.edge).0);
-        let index = self.index_at((i, j));
-        index.is_some_and(|index| self.cells[index as usize].dead().contains(&centre))
+        self.cell(centre).is_some_and(|cell| cell.dead().contains(&centre))
+    }
+
+    /// The cell of a place, if there is one.
+    fn cell(&self, place: [f64; 2]) -> Option<&Cell> {
+        let [i, j] = place.map(|x| locate(x / self.edge).0);
+        self.index_at((i, j)).map(|index| &self.cells[index as usize])
+    }
+
+    /// The cells that hold all centres within 2 radii of a point.
+    fn cells_around(&self, x: f64, y: f64) -> impl Iterator<Item = &Cell> {
+        self.around(x, y).into_iter().flatten().map(|(index, _)| &self.cells[index as usize])
     }
 
     /// All discs that have boundary.
@@ -214,10 +222,7 @@ impl Grid {
 
     /// The centres of all discs, live and dead, that may be within 2 radii.
     pub fn stored_around(&self, x: f64, y: f64) -> impl Iterator<Item = [f64; 2]> {
-        self.around(x, y).into_iter().flatten().flat_map(|(index, _)| {
-            let cell = &self.cells[index as usize];
-            cell.live().chain(cell.dead().iter().copied())
-        })
+        self.cells_around(x, y).flat_map(|cell| cell.live().chain(cell.dead().iter().copied()))
     }
 }
 
@@ -285,17 +290,12 @@ impl Cell {
     }
 
     /// Gives up a crowd that has scattered.
-    fn settle(&mut self, tau: f64) {
+    fn settle(&mut self, edge: f64) {
         if self.crowd.as_ref().is_none_or(|crowd| crowd.len(&self.live) >= CROWDED / 2) {
             return;
         }
         self.crowd = None;
         self.live.retain(|disc| !disc.arcs.is_empty());
-        let share = |x: f64| (EDGE * locate(x / (EDGE * tau)).1) as f32;
-        let rough = |disc: &Disc| Rough {
-            place: [share(disc.x), share(disc.y)],
-            sectors: sectors::of_arcs(&disc.arcs),
-        };
-        self.rough = self.live.iter().map(rough).collect();
+        self.rough = self.live.iter().map(|disc| Rough::of(disc, edge)).collect();
     }
 }

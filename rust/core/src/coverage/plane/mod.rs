@@ -25,7 +25,7 @@ mod survey;
 use smallvec::SmallVec;
 
 use crate::exact_sum::ExactSum;
-use area::twice_area_under;
+use area::TwiceArea;
 pub use boundary::BoundaryArc;
 use circle::{Arc, Direction, Span};
 use grid::Grid;
@@ -78,58 +78,40 @@ impl Discs {
     }
 
     /// The area that a disc would add.
+    ///
+    /// What tiny areas lose by not being negative is taken from the next ones: a hundred thousand discs that add next
+    /// to nothing would add up to 1e-12 of all.
     pub fn gain(&mut self, effect: [f64; 2]) -> f64 {
-        self.look_at(effect);
-        self.surveyed_gain()
+        self.survey.of_disc((effect[0], effect[1]), self.tau, &mut self.grid);
+        let (area, is_noise) = self.surveyed();
+        let owed = if is_noise { self.owed } else { 0.0 };
+        (area + owed).clamp(0.0, std::f64::consts::PI * self.tau * self.tau)
     }
 
     /// Adds a disc; returns the area that it adds.
     pub fn insert(&mut self, effect: [f64; 2]) -> f64 {
-        self.look_at(effect);
-        let gain = self.surveyed_gain();
-        let area = self.surveyed_area();
-        if self.is_noise(area) {
+        let gain = self.gain(effect);
+        let (area, is_noise) = self.surveyed();
+        if is_noise {
             self.owed = (self.owed + area).min(0.0);
         }
+        let Survey { own, swallowing, .. } = &self.survey;
         if self.survey.changes_boundary() {
-            self.commit(effect);
+            // Backwards: where a disc is set aside, one behind it may take its place.
+            for &Swallowing { cell, place, inside } in swallowing.iter().rev() {
+                self.grid.cells[cell as usize].swallow(place as usize, inside);
+            }
+            let arcs = own.iter().map(|arc| arc.span()).collect();
+            self.grid.insert(Disc { x: effect[0], y: effect[1], arcs });
         }
         gain
     }
 
-    fn look_at(&mut self, [x, y]: [f64; 2]) {
-        self.survey.of_disc((x, y), self.tau, &mut self.grid);
-    }
-
-    /// The surveyed area, but for rounding: that may carry it a few 1e-16 of a disc's area beyond
-    /// what is possible.
-    fn surveyed_area(&self) -> f64 {
-        0.5 * self.survey.twice_gain() * self.tau * self.tau
-    }
-
-    /// Whether an area may be made of rounding alone.
-    fn is_noise(&self, area: f64) -> bool {
-        area.abs() < 1e-12 * self.tau * self.tau
-    }
-
-    /// The surveyed area, within what is possible. What tiny areas lose by that is taken from the
-    /// next ones: a hundred thousand discs that add next to nothing would add up to 1e-12 of all.
-    fn surveyed_gain(&self) -> f64 {
-        let area = self.surveyed_area();
-        if self.is_noise(area) {
-            return (area + self.owed).max(0.0);
-        }
-        area.clamp(0.0, std::f64::consts::PI * self.tau * self.tau)
-    }
-
-    /// Makes the surveyed change.
-    fn commit(&mut self, [x, y]: [f64; 2]) {
-        // Backwards: where a disc is set aside, one behind it may take its place.
-        for &Swallowing { cell, place, inside } in self.survey.swallowing.iter().rev() {
-            self.grid.cells[cell as usize].swallow(place as usize, inside);
-        }
-        let arcs = self.survey.own.iter().map(|arc| arc.span()).collect();
-        self.grid.insert(Disc { x, y, arcs });
+    /// The surveyed area, and whether it may be made of rounding alone: that may carry it a few 1e-16 of a disc's area
+    /// beyond what is possible.
+    fn surveyed(&self) -> (f64, bool) {
+        let area = 0.5 * self.survey.twice_gain * self.tau * self.tau;
+        (area, area.abs() < 1e-12 * self.tau * self.tau)
     }
 
     /// The area enclosed by the exposed arcs, from scratch: what the gains add up to, step by
@@ -140,7 +122,9 @@ impl Discs {
             let centre = (disc.x / self.tau, disc.y / self.tau);
             for arc in &disc.arcs {
                 let (from, to) = (Direction::at(arc.from), Direction::at(arc.to));
-                twice.add(twice_area_under(Arc { from, to }, centre));
+                let mut area = TwiceArea::default();
+                area.add(Arc { from, to }, centre, 1.0);
+                twice.add(area.total());
             }
         }
         0.5 * twice.value() * self.tau * self.tau

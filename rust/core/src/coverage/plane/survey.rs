@@ -26,7 +26,8 @@ pub(crate) struct Survey {
     /// Older discs of which arcs are swallowed.
     pub swallowing: Vec<Swallowing>,
     area: TwiceArea,
-    twice_gain: f64,
+    /// Twice the area added, in squared radii.
+    pub twice_gain: f64,
 }
 
 /// An older disc - its cell and place - and the part of its circle inside the new disc.
@@ -44,16 +45,6 @@ struct Crossing {
     leaves: bool,
 }
 
-/// What the arcs of an older disc say.
-struct Met {
-    touched: bool,
-    /// Whether the crossings at the beginning and at the end of what lies inside are exposed.
-    begins: bool,
-    ends: bool,
-    /// Whether one is too close to an arc's end to tell.
-    unclear: bool,
-}
-
 impl Survey {
     /// Finds out what a disc at (`x`, `y`) would change.
     pub fn of_disc(&mut self, (x, y): (f64, f64), tau: f64, grid: &mut Grid) {
@@ -68,14 +59,11 @@ impl Survey {
             let Some(contact) = Contact::with(&other, (x, y), tau) else { continue };
             overlaps = true;
             let arcs = &grid.cells[cell as usize].live[place as usize].arcs;
-            let met = self.meet(&other, arcs, contact);
-            unclear |= met.unclear;
-            if met.touched {
-                self.swallowing.push(Swallowing {
-                    cell,
-                    place,
-                    inside: contact.swallowed().span(),
-                });
+            let (touched, hidden) = self.meet(&other, arcs, contact);
+            unclear |= hidden;
+            if touched {
+                let inside = contact.swallowed().span();
+                self.swallowing.push(Swallowing { cell, place, inside });
             }
         }
         if unclear || !self.expose() {
@@ -84,18 +72,13 @@ impl Survey {
             self.own.push(Arc::CIRCLE);
         }
         for &arc in &self.own {
-            self.area.add_own(arc);
+            self.area.add(arc, (0.0, 0.0), 1.0);
         }
         self.twice_gain = self.area.total();
         let noise = self.twice_gain.abs() < NOISE && self.changes_boundary();
         if noise && grid.has_buried([x, y]) {
             self.clear(); // a disc that has lost its boundary comes again: all else is rounding
         }
-    }
-
-    /// Twice the area added, in squared radii.
-    pub fn twice_gain(&self) -> f64 {
-        self.twice_gain
     }
 
     /// Whether the union's boundary would change at all.
@@ -125,30 +108,37 @@ impl Survey {
         self.neighbours.truncate(count);
     }
 
-    /// Notes which of an older disc's exposed `arcs` lie in the new disc, and where the new circle
-    /// crosses them.
+    /// Notes where the new circle crosses an older disc's exposed `arcs`. Tells whether any of these lie in the new disc,
+    /// and whether a crossing is too close to an arc's end to tell.
     #[inline]
-    fn meet(&mut self, other: &Neighbour, arcs: &[Span], contact: Contact) -> Met {
+    fn meet(&mut self, other: &Neighbour, arcs: &[Span], contact: Contact) -> (bool, bool) {
         let inside = contact.swallowed();
         let (one, rest) = Arc::between(inside.from, inside.to);
-        let mut met = Met { touched: false, begins: false, ends: false, unclear: false };
+        let Span { from, to } = inside.span();
+        let (mut touched, mut unclear) = (false, false);
+        // Whether the crossings at the beginning and at the end of what lies inside are exposed.
+        let (mut begins, mut ends) = (false, false);
         for &arc in arcs {
             for part in [Some(one), rest].into_iter().flatten() {
                 if let Some(stretch) = arc.part_of(part) {
-                    self.area.remove(stretch, (other.dx, other.dy));
-                    met.touched = true;
+                    self.area.add(stretch, (other.dx, other.dy), -1.0);
+                    touched = true;
                 }
             }
-            met.look(arc, inside.span());
+            let at_begin = (from - arc.from).min(arc.to - from);
+            let at_end = (to - arc.from).min(arc.to - to);
+            begins |= at_begin > 0.0;
+            ends |= at_end > 0.0;
+            unclear |= (at_begin.abs() < UNSURE) | (at_end.abs() < UNSURE);
         }
         // Seen from the new centre, the crossings change sides.
-        if met.begins {
+        if begins {
             self.crossings.push(Crossing { at: contact.to, leaves: true });
         }
-        if met.ends {
+        if ends {
             self.crossings.push(Crossing { at: contact.from, leaves: false });
         }
-        met
+        (touched, unclear)
     }
 
     /// Finds the exposed parts from the crossings; `false` if those don't fit together, or if
@@ -184,18 +174,6 @@ impl Survey {
             before = crossing;
         }
         true
-    }
-}
-
-impl Met {
-    /// Looks whether an exposed arc contains the turns where the part inside begins and ends.
-    #[inline]
-    fn look(&mut self, arc: Span, inside: Span) {
-        let at_begin = (inside.from - arc.from).min(arc.to - inside.from);
-        let at_end = (inside.to - arc.from).min(arc.to - inside.to);
-        self.begins |= at_begin > 0.0;
-        self.ends |= at_end > 0.0;
-        self.unclear |= (at_begin.abs() < UNSURE) | (at_end.abs() < UNSURE);
     }
 }
 

@@ -8,6 +8,7 @@
 //! sides, of triangles where a side runs inside the disc and sectors where it runs outside;
 //! contributions of degenerate faces are as small as the faces, so that no case is special.
 
+use super::neighbours::Neighbour;
 use super::polygon::{HalfPlane, Polygon};
 use super::turn::Turn;
 use super::vector::{Vector, across, dot, minus};
@@ -55,15 +56,25 @@ impl Face {
 
     /// The squared distance from its centres to the farthest point, or more than that.
     #[inline]
-    pub fn squared_reach(&self) -> f64 {
+    fn squared_reach(&self) -> f64 {
         self.squared_height + self.squared_radius
     }
 
-    /// Leaves what is no nearer to `other` than to the face's centres; tells whether anything is.
+    /// Leaves what is no nearer to any of `others`, which come nearest to the origin first; tells whether anything is.
+    ///
+    /// Those farther than twice the face's reach are no nearer to any point of it than its centres are.
     #[inline]
-    pub fn keep_away_from(&mut self, other: Vector) -> bool {
-        let (normal, offset) = self.line(other);
-        self.cut(normal, offset)
+    pub fn keep_away_from_all(&mut self, others: impl Iterator<Item = Neighbour>) -> bool {
+        for other in others {
+            if other.squared >= 4.0 * self.squared_reach() {
+                return true;
+            }
+            let (normal, offset) = self.line(other.at);
+            if !self.cut(normal, offset) {
+                return false;
+            }
+        }
+        true
     }
 
     /// Leaves what is nearer to `other`; tells whether anything is.

@@ -107,8 +107,7 @@ impl Cell {
     /// Cuts the face between p and k, where `after` is the rank of the neighbour after k;
     /// tells whether anything is left of it.
     ///
-    /// Of those nearer than k only bounding ones matter. Those farther than twice the face's
-    /// reach are no nearer to any point of it than p is.
+    /// Of those nearer than k only bounding ones matter.
     #[inline]
     fn cut_new_face(
         &mut self,
@@ -118,24 +117,11 @@ impl Cell {
     ) -> bool {
         let Self { bounding, face } = self;
         face.begin([0.0; 3], k.at);
-        for other in bounding.iter() {
-            if other.squared >= 4.0 * face.squared_reach() {
-                return true;
-            }
-            if !face.keep_away_from(other.at) {
-                return false;
-            }
-        }
-        while let Some(other) = neighbours.nearest(after) {
-            if other.squared >= 4.0 * face.squared_reach() {
-                return true;
-            }
-            if !face.keep_away_from(other.at) {
-                return false;
-            }
+        let farther = std::iter::from_fn(|| {
             after += 1;
-        }
-        true
+            neighbours.nearest(after - 1)
+        });
+        face.keep_away_from_all(bounding.iter().copied().chain(farther))
     }
 
     /// The shares of the old faces, as far as they lie in the new cell.
@@ -167,15 +153,8 @@ impl Cell {
         if !face.keep_near_to([0.0; 3]) {
             return false;
         }
-        for (index, other) in bounding.iter().enumerate() {
-            // Here, too, as what is left is nearer to p than to k and l.
-            if other.squared >= 4.0 * face.squared_reach() {
-                return true;
-            }
-            if index != i && index != j && !face.keep_away_from(other.at) {
-                return false;
-            }
-        }
-        true
+        // Here, too, those farther are no nearer, as what is left is nearer to p than to k and l.
+        let others = bounding.iter().enumerate().filter(|&(index, _)| index != i && index != j);
+        face.keep_away_from_all(others.map(|(_, &other)| other))
     }
 }

@@ -7,14 +7,22 @@
 
 mod bound;
 
+use parry2d_f64::math::Vector;
+
 use super::Disc;
 use super::grid::Live;
 use bound::{Bound, Item, ranges};
 
 #[derive(Debug, Clone)]
-enum Node {
-    Leaf { bound: Bound, items: Vec<Item> },
-    Inner { bound: Bound, split: Split, built: usize, changes: usize, halves: Box<[Node; 2]> },
+struct Node {
+    bound: Bound,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone)]
+enum Kind {
+    Leaf(Vec<Item>),
+    Inner { split: Split, built: usize, changes: usize, halves: Box<[Node; 2]> },
 }
 
 /// What a search has found to be out of date.
@@ -81,7 +89,7 @@ impl Crowd {
     /// Lists the places of discs of which an arc may reach into the disc around `point`.
     pub fn reaching(&mut self, point: [f64; 2], discs: &[Disc]) -> &[u32] {
         self.found.clear();
-        self.root.reaching(point, self.tau, discs, &mut self.found);
+        self.root.reaching(point.into(), self.tau, discs, &mut self.found);
         self.found.sort_unstable(); // several arcs may be of one disc
         self.found.dedup();
         &self.found
@@ -91,66 +99,55 @@ impl Crowd {
 impl Node {
     fn build(items: &mut [Item], tau: f64) -> Self {
         let bound = Bound::of(items, tau);
-        if items.len() <= LEAF {
-            return Self::Leaf { bound, items: items.to_vec() };
+        let built = items.len();
+        if built <= LEAF {
+            return Self { bound, kind: Kind::Leaf(items.to_vec()) };
         }
-        let ranges = ranges(items);
+        let [low, high] = ranges(items);
         let width = |axis: usize| {
-            let width = ranges[axis][1] - ranges[axis][0];
+            let width = high[axis] - low[axis];
             if axis < 2 { width / tau } else { width }
         };
         let axis = (1..4).fold(0, |wide, axis| if width(axis) > width(wide) { axis } else { wide });
-        let half = items.len() / 2;
+        let half = built / 2;
         items.select_nth_unstable_by(half, |a, b| a.key(axis).total_cmp(&b.key(axis)));
         let split = Split { axis, at: items[half].key(axis) };
-        let built = items.len();
         let (below, above) = items.split_at_mut(half);
         let halves = Box::new([Self::build(below, tau), Self::build(above, tau)]);
-        Self::Inner { bound, split, built, changes: 0, halves }
+        Self { bound, kind: Kind::Inner { split, built, changes: 0, halves } }
     }
 
     fn insert(&mut self, item: Item, tau: f64, discs: &[Disc], moving: &mut Vec<Item>) {
-        let rebuild = match self {
-            Self::Leaf { bound, items } => {
+        match &mut self.kind {
+            Kind::Leaf(items) if items.len() < 2 * LEAF => {
                 items.push(item);
                 if items.len() == 1 {
-                    *bound = Bound::of(items, tau);
+                    self.bound = Bound::of(items, tau);
                 } else {
-                    bound.include(&item, tau);
+                    self.bound.include(&item, tau);
                 }
-                items.len() > 2 * LEAF
             }
-            Self::Inner { bound, split, built, changes, halves } => {
+            Kind::Inner { split, built, changes, halves } if *changes < *built => {
                 *changes += 1;
-                if *changes <= *built {
-                    bound.include(&item, tau);
-                    let second = item.key(split.axis) >= split.at;
-                    return halves[usize::from(second)].insert(item, tau, discs, moving);
-                }
-                true
+                self.bound.include(&item, tau);
+                let second = item.key(split.axis) >= split.at;
+                halves[usize::from(second)].insert(item, tau, discs, moving);
             }
-        };
-        if rebuild {
-            moving.clear();
-            if matches!(self, Self::Inner { .. }) {
+            _ => {
+                moving.clear();
                 moving.push(item);
+                self.drain(moving);
+                moving.retain_mut(|item| item.shorten(discs).is_some());
+                *self = Self::build(moving, tau);
             }
-            self.drain(moving);
-            moving.retain_mut(|item| {
-                item.left(discs).is_some_and(|(left, _)| {
-                    *item = left;
-                    true
-                })
-            });
-            *self = Self::build(moving, tau);
         }
     }
 
     /// Takes all items out.
     fn drain(&mut self, into: &mut Vec<Item>) {
-        match self {
-            Self::Leaf { items, .. } => into.append(items),
-            Self::Inner { halves, .. } => halves.iter_mut().for_each(|half| half.drain(into)),
+        match &mut self.kind {
+            Kind::Leaf(items) => into.append(items),
+            Kind::Inner { halves, .. } => halves.iter_mut().for_each(|half| half.drain(into)),
         }
     }
 
@@ -158,56 +155,43 @@ impl Node {
     /// brought up to date on the way: each is met once before it is told from the rest again.
     fn reaching(
         &mut self,
-        point: [f64; 2],
+        point: Vector,
         tau: f64,
         discs: &[Disc],
         found: &mut Vec<u32>,
     ) -> Change {
-        match self {
-            Self::Leaf { bound, items } => {
-                if items.is_empty() || bound.is_outside(point, tau) {
-                    return Change::default();
-                }
+        let mut change = Change::default();
+        if self.bound.is_outside(point, tau) {
+            return change;
+        }
+        match &mut self.kind {
+            Kind::Leaf(items) => {
                 let before = items.len();
-                let mut narrower = false;
                 items.retain_mut(|item| {
-                    let left = item.left(discs);
-                    narrower |= left.is_none_or(|(_, shorter)| shorter);
-                    left.is_some_and(|(left, _)| {
-                        *item = left;
-                        if !item.is_outside(point, tau) {
-                            found.push(item.place);
-                        }
-                        true
-                    })
+                    let shorter = item.shorten(discs);
+                    change.narrower |= shorter != Some(false);
+                    if shorter.is_some() && !item.is_outside(point, tau) {
+                        found.push(item.place);
+                    }
+                    shorter.is_some()
                 });
-                if narrower {
-                    *bound = Bound::of(items, tau);
+                change.gone = before - items.len();
+                if change.narrower {
+                    self.bound = Bound::of(items, tau);
                 }
-                Change { narrower, gone: before - items.len() }
             }
-            Self::Inner { bound, changes, halves, .. } => {
-                if bound.is_outside(point, tau) {
-                    return Change::default();
+            Kind::Inner { changes, halves, .. } => {
+                for half in halves.iter_mut() {
+                    let Change { narrower, gone } = half.reaching(point, tau, discs, found);
+                    change.narrower |= narrower;
+                    change.gone += gone;
                 }
-                let [below, above] = &mut **halves;
-                let below = below.reaching(point, tau, discs, found);
-                let above = above.reaching(point, tau, discs, found);
-                let narrower = below.narrower || above.narrower;
-                if narrower {
-                    bound.narrow(halves.iter().filter_map(Self::bound), tau);
+                if change.narrower {
+                    self.bound.narrow(halves.iter().map(|half| &half.bound), tau);
                 }
-                let gone = below.gone + above.gone;
-                *changes += gone;
-                Change { narrower, gone }
+                *changes += change.gone;
             }
         }
-    }
-
-    fn bound(&self) -> Option<&Bound> {
-        match self {
-            Self::Leaf { items, .. } if items.is_empty() => None,
-            Self::Leaf { bound, .. } | Self::Inner { bound, .. } => Some(bound),
-        }
+        change
     }
 }

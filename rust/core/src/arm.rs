@@ -5,7 +5,7 @@
 //! the arm lies along +x. The effect is the tip's position.
 
 use crate::environment::Environment;
-use crate::error::{Error, check_finite, check_length, check_rows, place};
+use crate::error::{Error, check_each, check_finite, check_length, check_number, check_rows};
 use crate::instructions::{Dispatch, Instructions};
 use crate::trig::{MAX_ANGLE, sin_cos};
 
@@ -38,20 +38,10 @@ impl PlanarArm {
             let must_be = format!("from 1 to {MAX_JOINTS}");
             return Err(Error::Count { name: "joints", must_be, got: joints });
         }
-        if !(limit > 0.0 && limit.is_finite()) {
-            return Err(Error::Number {
-                name: "limit",
-                must_be: "positive and finite (radians)",
-                got: limit,
-            });
-        }
-        if joints as f64 * limit > MAX_ANGLE {
-            return Err(Error::Number {
-                name: "limit",
-                must_be: "at most 1e6 radians over all joints together",
-                got: limit,
-            });
-        }
+        let is_right = limit > 0.0 && limit.is_finite();
+        check_number("limit", limit, is_right, "positive and finite (radians)")?;
+        let must_be = "at most 1e6 radians over all joints together";
+        check_number("limit", limit, joints as f64 * limit <= MAX_ANGLE, must_be)?;
         Ok(Self { joints, limit, dispatch: Dispatch::widest() })
     }
 
@@ -175,13 +165,8 @@ impl PlanarArm {
             return Ok(());
         }
         check_finite(name, angles, self.joints)?;
-        let index = angles.iter().position(|angle| angle.abs() > self.limit).unwrap_or(0);
-        Err(Error::Element {
-            name,
-            at: place(index, self.joints, angles.len()),
-            must_be: format!("within the joint's limit of +-{:?} radians", self.limit),
-            got: angles[index],
-        })
+        let must_be = || format!("within the joint's limit of +-{:?} radians", self.limit);
+        check_each(name, angles, self.joints, |angle| angle.abs() <= self.limit, must_be)
     }
 }
 

@@ -15,7 +15,7 @@ use crate::contact::clear::Near;
 use crate::contact::scene::Scene;
 use crate::contact::sweep::Sweep;
 use crate::environment::Environment;
-use crate::error::{Error, check_length, check_rows};
+use crate::error::{Error, check_length, check_number, check_rows};
 use crate::push_arm::{Ball, Pushing};
 
 /// The thinnest arm, in metres: the directions of shorter gaps would be noise.
@@ -43,13 +43,9 @@ impl ObstructedArm {
         self_contact: bool,
     ) -> Result<Self, Error> {
         let length = 1.0 / arm.joints() as f64;
-        if !(THINNEST..length).contains(&thickness) {
-            return Err(Error::Number {
-                name: "thickness",
-                must_be: "at least 1e-6 and less than a link is long, 1 / joints",
-                got: thickness,
-            });
-        }
+        let must_be = "at least 1e-6 and less than a link is long, 1 / joints";
+        let is_right = (THINNEST..length).contains(&thickness);
+        check_number("thickness", thickness, is_right, must_be)?;
         let radius = 0.5 * thickness;
         let scene = Scene::new(obstacles);
         let mut chain = Chain::new(arm.joints(), arm.dispatch());
@@ -184,13 +180,11 @@ impl<'a> Moving<'a> {
         }
         check_rows("trajectory", trajectory, joints)?;
         arm.check("trajectory", trajectory)?;
-        if let Some(index) = trajectory[..joints].iter().position(|&angle| angle != 0.0) {
-            return Err(Error::Element {
-                name: "trajectory",
-                at: format!("[0, {index}]"),
-                must_be: "0, as the arm begins at rest".to_owned(),
-                got: trajectory[index],
-            });
+        let start = &trajectory[..joints];
+        if let Some(index) = start.iter().position(|&angle| angle != 0.0) {
+            let (at, must_be) =
+                (format!("[0, {index}]"), "0, as the arm begins at rest".to_owned());
+            return Err(Error::Element { name: "trajectory", at, must_be, got: start[index] });
         }
         self.rest();
         for to in trajectory.chunks(joints).skip(1) {

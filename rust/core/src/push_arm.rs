@@ -11,7 +11,7 @@ use parry2d_f64::shape::{Capsule, Segment};
 use crate::contact::clear::{LEFT, Near, least_displacement};
 use crate::contact::gap::{Axis, Gap};
 use crate::contact::sweep::{Met, PRECISION, Stop, Sweep};
-use crate::error::{Error, check_finite};
+use crate::error::{Error, check_finite, check_number};
 use crate::obstructed_arm::{ObstructedArm, Room};
 
 /// How far a link goes between two looks at a ball that it pushes, in radii of the ball.
@@ -49,13 +49,8 @@ impl ObstructedArm {
     /// obstacle.
     pub fn pushing(mut self, ball: [f64; 2], ball_radius: f64) -> Result<Self, Error> {
         check_finite("ball", &ball, 2)?;
-        if !(1e-3..=1.0).contains(&ball_radius) {
-            return Err(Error::Number {
-                name: "ball_radius",
-                must_be: "from 0.001 to 1",
-                got: ball_radius,
-            });
-        }
+        let is_right = (1e-3..=1.0).contains(&ball_radius);
+        check_number("ball_radius", ball_radius, is_right, "from 0.001 to 1")?;
         let center = Vector::from(ball);
         let here = Axis::from(Segment::new(center, center));
         let refused = |got: String| {

@@ -105,32 +105,31 @@ impl Chain {
     pub fn place(&mut self, share: f64) {
         self.dispatch.run(
             #[inline(always)]
-            || self.place_each(share),
+            || {
+                let links = self.links();
+                let mut total = 0.0;
+                for joint in 0..links {
+                    total += self.angle(joint, share);
+                    self.totals[joint / LANES][joint % LANES] = total;
+                }
+                let mut here = Joint::default();
+                for (lanes, first) in self.totals.iter().zip((0..links).step_by(LANES)) {
+                    let (sines, cosines) = sin_cos(*lanes);
+                    let last = links.min(first + LANES);
+                    let joints = self.joints[first..=last].iter_mut().zip(&self.turns[first..last]);
+                    for ((joint, &Turn { rate, .. }), (&x, &y)) in
+                        joints.zip(cosines.iter().zip(&sines))
+                    {
+                        here.direction = Vector::new(x, y);
+                        *joint = here;
+                        let step = here.direction * self.length;
+                        here.at += step;
+                        here.velocity += Vector::new(-rate * step.y, rate * step.x);
+                    }
+                }
+                self.joints[links] = here;
+            },
         );
-    }
-
-    #[inline(always)]
-    fn place_each(&mut self, share: f64) {
-        let links = self.links();
-        let mut total = 0.0;
-        for joint in 0..links {
-            total += self.angle(joint, share);
-            self.totals[joint / LANES][joint % LANES] = total;
-        }
-        let mut here = Joint::default();
-        for (lanes, first) in self.totals.iter().zip((0..links).step_by(LANES)) {
-            let (sines, cosines) = sin_cos(*lanes);
-            let last = links.min(first + LANES);
-            let joints = self.joints[first..=last].iter_mut().zip(&self.turns[first..last]);
-            for ((joint, &Turn { rate, .. }), (&x, &y)) in joints.zip(cosines.iter().zip(&sines)) {
-                here.direction = Vector::new(x, y);
-                *joint = here;
-                let step = here.direction * self.length;
-                here.at += step;
-                here.velocity += Vector::new(-rate * step.y, rate * step.x);
-            }
-        }
-        self.joints[links] = here;
     }
 
     /// The instructions that the chain is laid with.

@@ -4,7 +4,7 @@ use parry2d_f64::math::Vector;
 use parry2d_f64::query::PointQuery;
 use parry2d_f64::shape::{Capsule, Segment};
 
-use crate::error::{Error, check_finite};
+use crate::error::{Error, check_each, check_finite, check_number};
 
 /// The farthest a coordinate, and the largest a radius, may be: squares keep their digits, and no arm gets there.
 const LARGEST: f64 = 1e6;
@@ -36,10 +36,8 @@ impl Obstacle {
     /// If a number is not finite or beyond 1e6, or `radius` is not positive.
     pub fn disc(center: [f64; 2], radius: f64) -> Result<Self, Error> {
         let center = point("center", center)?;
-        if !(radius > 0.0 && radius <= LARGEST) {
-            let must_be = "positive and at most 1e6";
-            return Err(Error::Number { name: "radius", must_be, got: radius });
-        }
+        let is_right = radius > 0.0 && radius <= LARGEST;
+        check_number("radius", radius, is_right, "positive and at most 1e6")?;
         Ok(Self::capsule(center, center, radius))
     }
 
@@ -73,16 +71,7 @@ impl Obstacle {
             let must_be = format!("from 3 to {MOST_POINTS} corners");
             return Err(Error::Count { name: "points", must_be, got: points.len() });
         }
-        let numbers = points.as_flattened();
-        check_finite("points", numbers, 2 + usize::from(numbers.len() == 2))?;
-        if let Some(index) = numbers.iter().position(|number| number.abs() > LARGEST) {
-            return Err(Error::Element {
-                name: "points",
-                at: format!("[{}, {}]", index / 2, index % 2),
-                must_be: "at most 1e6 from 0".to_owned(),
-                got: numbers[index],
-            });
-        }
+        check_places("points", points.as_flattened(), 2)?;
         let corners: Vec<Vector> = points.iter().copied().map(Vector::from).collect();
         let edges: Vec<Segment> = edges(&corners).collect();
         check_simple(&edges)?;
@@ -95,10 +84,8 @@ impl Obstacle {
     /// If a number is not finite or beyond 1e6, `thickness` is negative, or the ends are the same.
     pub fn wall(start: [f64; 2], end: [f64; 2], thickness: f64) -> Result<Self, Error> {
         let (a, b) = (point("start", start)?, point("end", end)?);
-        if !(0.0..=LARGEST).contains(&thickness) {
-            let must_be = "from 0 to 1e6";
-            return Err(Error::Number { name: "thickness", must_be, got: thickness });
-        }
+        let is_right = (0.0..=LARGEST).contains(&thickness);
+        check_number("thickness", thickness, is_right, "from 0 to 1e6")?;
         if a == b {
             let (must_be, got) = ("another point than start", format!("{end:?} twice"));
             return Err(Error::Unfit { name: "end".to_owned(), must_be, got });
@@ -127,16 +114,14 @@ impl Obstacle {
 }
 
 fn point(name: &'static str, at: [f64; 2]) -> Result<Vector, Error> {
-    check_finite(name, &at, 2)?;
-    match at.iter().position(|number| number.abs() > LARGEST) {
-        None => Ok(Vector::from(at)),
-        Some(index) => Err(Error::Element {
-            name,
-            at: format!("[{index}]"),
-            must_be: "at most 1e6 from 0".to_owned(),
-            got: at[index],
-        }),
-    }
+    check_places(name, &at, 2)?;
+    Ok(Vector::from(at))
+}
+
+/// Refuses coordinates, rows of length `row`, that are not finite or too large.
+fn check_places(name: &'static str, numbers: &[f64], row: usize) -> Result<(), Error> {
+    check_finite(name, numbers, row)?;
+    check_each(name, numbers, row, |x| x.abs() <= LARGEST, || "at most 1e6 from 0".to_owned())
 }
 
 /// The outline's edges; the last leads back to the first corner.

@@ -13,7 +13,9 @@ mod plane;
 pub mod space;
 mod union;
 
-use crate::error::{Error, check_finite, check_length, check_rows, place};
+use crate::error::{
+    Error, check_each, check_finite, check_length, check_number, check_rows, place,
+};
 use crate::exact_sum::ExactSum;
 use crate::kdtree::NearestNeighbors;
 pub use estimate::Estimated;
@@ -55,24 +57,18 @@ impl Coverage {
     /// `dim` is not in 1..=32, a ball has no normal measure in so many dimensions, or the
     /// accuracy is not in (0, 1).
     pub fn sampled(tau: f64, dim: usize, sampling: Sampling) -> Result<Self, Error> {
-        if !(1e-100..=1e100).contains(&tau) {
-            let must_be = "a positive radius in [1e-100, 1e100]";
-            return Err(Error::Number { name: "tau", must_be, got: tau });
-        }
+        let is_right = (1e-100..=1e100).contains(&tau);
+        check_number("tau", tau, is_right, "a positive radius in [1e-100, 1e100]")?;
         if !(1..=HIGHEST).contains(&dim) {
             let must_be = format!("from 1 to {HIGHEST}");
             return Err(Error::Count { name: "dim", must_be, got: dim });
         }
         let accuracy = sampling.accuracy;
-        if !(accuracy > 0.0 && accuracy < 1.0) {
-            let must_be = "a share of a ball's measure, greater than 0 and less than 1";
-            return Err(Error::Number { name: "accuracy", must_be, got: accuracy });
-        }
+        let must_be = "a share of a ball's measure, greater than 0 and less than 1";
+        check_number("accuracy", accuracy, accuracy > 0.0 && accuracy < 1.0, must_be)?;
         let union = Union::new(tau, dim, sampling);
-        if !union.ball(tau).is_normal() {
-            let must_be = "a radius whose balls have a measure that a number can hold";
-            return Err(Error::Number { name: "tau", must_be, got: tau });
-        }
+        let must_be = "a radius whose balls have a measure that a number can hold";
+        check_number("tau", tau, union.ball(tau).is_normal(), must_be)?;
         Ok(Self {
             tau,
             dim,
@@ -106,10 +102,13 @@ impl Coverage {
         check_length("gains", gains, len)?;
         let exact = coverage.is_exact();
         check_length("standard_errors", errors, if exact { 0 } else { len })?;
+        let ball = coverage.ball();
+        for (name, logged) in [("gains", gains), ("standard_errors", errors)] {
+            let must_be = || format!("from 0 to a ball's measure, {ball:?}");
+            check_each(name, logged, len, |x| (0.0..=ball).contains(&x), must_be)?;
+        }
         for (i, (effect, &gain)) in effects.chunks_exact(dim).zip(gains).enumerate() {
             let known = Estimated { gain, standard_error: errors.get(i).copied().unwrap_or(0.0) };
-            check_logged("gains", i, len, gain, coverage.ball())?;
-            check_logged("standard_errors", i, len, known.standard_error, coverage.ball())?;
             let found = coverage.union.replay(effect, known);
             if found != known {
                 return Err(Error::Element {
@@ -339,19 +338,4 @@ impl Coverage {
         self.effects.file_all();
         Ok(())
     }
-}
-
-/// Checks a number of a log: from 0 to a ball's measure.
-fn check_logged(
-    name: &'static str,
-    i: usize,
-    len: usize,
-    got: f64,
-    ball: f64,
-) -> Result<(), Error> {
-    if (0.0..=ball).contains(&got) {
-        return Ok(());
-    }
-    let must_be = format!("from 0 to a ball's measure, {ball:?}");
-    Err(Error::Element { name, at: place(i, len, len), must_be, got })
 }

@@ -61,12 +61,6 @@ fn of_block(near: &Nearby, block: &[f64], control: bool, pieces: &mut Vec<Piece>
                 front[0][l] = front[0][l].max(high[l]);
                 front[1][l] = front[1][l].max(low[l]);
             }
-            if control {
-                let (high, low) = (power(high, dim), power(low, dim));
-                for l in 0..LANES {
-                    covered[l] += high[l] + low[l];
-                }
-            }
         } else {
             // Where the ball is missed, low is 1. Only one of w and -w can meet it.
             for l in 0..LANES {
@@ -91,11 +85,12 @@ fn of_block(near: &Nearby, block: &[f64], control: bool, pieces: &mut Vec<Piece>
                     }
                 }
             }
-            if control {
-                let (high, low) = (power(high, dim), power(low, dim));
-                for l in 0..LANES {
-                    covered[l] += high[l] - low[l];
-                }
+        }
+        if control {
+            let (high, low) = (power(high, dim), power(low, dim));
+            let sign = if square < 1.0 { 1.0 } else { -1.0 };
+            for l in 0..LANES {
+                covered[l] += high[l] + sign * low[l];
             }
         }
         // Looking costs about half a product: every fourth ball.

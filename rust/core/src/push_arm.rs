@@ -130,7 +130,7 @@ impl Pushing<'_> {
         let chain = &self.room.chain;
         let longest = |link: usize| {
             let [one, other] =
-                [link, link + 1].map(|joint| chain.joint(joint).velocity.length_squared());
+                [link, link + 1].map(|joint| chain.joints[joint].velocity.length_squared());
             let width = (self.gap(link) - AWAY * self.radius).max(STEP * self.radius);
             let (closing, acceleration) = (one.max(other).sqrt(), chain.acceleration(0, link + 1));
             Gap { width, closing, acceleration }.open_for()

@@ -46,14 +46,16 @@ struct Bounds {
 /// Joints on their way; the base is joint 0, and the tip is counted as one.
 #[derive(Debug, Clone)]
 pub(crate) struct Chain {
-    dispatch: Dispatch,
+    /// The instructions that it is laid with.
+    pub dispatch: Dispatch,
     turns: Vec<Turn>,
     bounds: Vec<Bounds>,
     /// How long a link is.
     length: f64,
     /// The angles of the links' directions.
     totals: Vec<[f64; LANES]>,
-    joints: Vec<Joint>,
+    /// The joints, where they were placed last.
+    pub joints: Vec<Joint>,
 }
 
 impl Chain {
@@ -130,18 +132,6 @@ impl Chain {
                 self.joints[links] = here;
             },
         );
-    }
-
-    /// The instructions that the chain is laid with.
-    #[inline]
-    pub fn dispatch(&self) -> Dispatch {
-        self.dispatch
-    }
-
-    /// A joint.
-    #[inline]
-    pub fn joint(&self, joint: usize) -> &Joint {
-        &self.joints[joint]
     }
 
     /// What the acceleration of a joint, seen from the joint `since`, never exceeds.

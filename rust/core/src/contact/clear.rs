@@ -17,29 +17,22 @@ pub(crate) struct Near {
     pub gap: f64,
 }
 
-impl Near {
-    /// How much the ball must move along the normal.
-    fn lack(&self) -> f64 {
-        LEFT - self.gap
-    }
-
-    fn is_clear_after(&self, displacement: Vector) -> bool {
-        self.normal.dot(displacement) >= self.lack() - SLACK
-    }
-}
-
 /// The shortest displacement after which a ball is clear of all that is near, as if these were half planes; none if
 /// there is none.
 ///
 /// It is the nearest point to 0 of an intersection of half planes: 0 itself, on the edge of one, or in the corner of two.
 pub(crate) fn least_displacement(near: &[Near]) -> Option<Vector> {
-    let is_clear = |displacement: Vector| near.iter().all(|each| each.is_clear_after(displacement));
+    // How much the ball must move along the normal.
+    let lack = |each: &Near| LEFT - each.gap;
+    let is_clear = |displacement: Vector| {
+        near.iter().all(|each| each.normal.dot(displacement) >= lack(each) - SLACK)
+    };
     if is_clear(Vector::ZERO) {
         return Some(Vector::ZERO);
     }
     for each in near {
-        let displacement = each.normal * each.lack();
-        if each.lack() > 0.0 && is_clear(displacement) {
+        let displacement = each.normal * lack(each);
+        if lack(each) > 0.0 && is_clear(displacement) {
             return Some(displacement);
         }
     }
@@ -50,7 +43,7 @@ pub(crate) fn least_displacement(near: &[Near]) -> Option<Vector> {
             if det.abs() < 1e-9 {
                 continue;
             }
-            let (a, b) = (one.lack(), other.lack());
+            let (a, b) = (lack(one), lack(other));
             let corner = Vector::new(
                 a * other.normal.y - b * one.normal.y,
                 b * one.normal.x - a * other.normal.x,

@@ -22,7 +22,7 @@ pub(crate) struct Moving<'a> {
 impl<'a> Moving<'a> {
     #[inline(always)]
     pub fn new(chain: &'a Chain, link: usize) -> Self {
-        let ends = [link, link + 1].map(|joint| chain.joint(joint));
+        let ends = [link, link + 1].map(|joint| &chain.joints[joint]);
         Self { chain, link, axis: chain.axis(link), ends }
     }
 
@@ -101,7 +101,7 @@ impl<'a> Moving<'a> {
         let normal = found.normal;
         let mut time = f64::INFINITY;
         for joint in [earlier, earlier + 1] {
-            let its = chain.joint(joint);
+            let its = &chain.joints[joint];
             for (own, end) in [(self.link, self.ends[0]), (self.link + 1, self.ends[1])] {
                 let gap = Gap {
                     width: normal.dot(end.at - its.at) - apart - CONTACT,
@@ -121,7 +121,7 @@ impl<'a> Moving<'a> {
             if found.end_of == 0 { (earlier, self.link) } else { (self.link, earlier) };
         let end = |joint: usize| {
             let (since, until) = (turning.min(joint), turning.max(joint));
-            let Joint { at, velocity, .. } = *chain.joint(joint);
+            let Joint { at, velocity, .. } = chain.joints[joint];
             Point { at, velocity, farthest: chain.length(since, until), since, until }
         };
         let time = time.max(clear_of_side(chain, turning, [end(other), end(other + 1)], apart));
@@ -146,7 +146,7 @@ struct Point {
 /// separate them only until the faster end of the link crosses it.
 #[inline(always)]
 fn clear_of_side(chain: &Chain, link: usize, points: [Point; 2], apart: f64) -> f64 {
-    let Joint { at, velocity, direction } = *chain.joint(link);
+    let Joint { at, velocity, direction } = chain.joints[link];
     let rate = chain.rate(link);
     // The line's normal, and how that changes.
     let (normal, turning) = (direction.perp(), direction * -rate);

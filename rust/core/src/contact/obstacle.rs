@@ -47,16 +47,10 @@ impl Obstacle {
     /// If a number is not finite or beyond 1e6, or `low` is not below `high`.
     pub fn rectangle(low: [f64; 2], high: [f64; 2]) -> Result<Self, Error> {
         let (a, b) = (point("low", low)?, point("high", high)?);
-        for (axis, (&from, &to)) in low.iter().zip(&high).enumerate() {
-            if from >= to {
-                let must_be = format!("greater than low[{axis}] = {from:?}");
-                return Err(Error::Element {
-                    name: "high",
-                    at: format!("[{axis}]"),
-                    must_be,
-                    got: to,
-                });
-            }
+        if let Some(axis) = (0..2).find(|&axis| low[axis] >= high[axis]) {
+            let must_be = format!("greater than low[{axis}] = {:?}", low[axis]);
+            let (at, got) = (format!("[{axis}]"), high[axis]);
+            return Err(Error::Element { name: "high", at, must_be, got });
         }
         let corners = [a, Vector::new(b.x, a.y), b, Vector::new(a.x, b.y)];
         Ok(Self::outline(edges(&corners)))

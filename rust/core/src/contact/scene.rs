@@ -18,7 +18,7 @@ const FEW: usize = 64;
 #[derive(Debug, Clone)]
 pub(crate) struct Scene {
     obstacles: Vec<Obstacle>,
-    pieces: Vec<Piece>,
+    pub pieces: Vec<Piece>,
     /// The sides of the boxes around the pieces.
     boxes: Vec<[f64; 4]>,
     /// The same boxes in a hierarchy, for many.
@@ -59,12 +59,6 @@ impl Scene {
         let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
         let boxes = boxes.iter().map(sides).collect();
         Self { obstacles, pieces, boxes, tree }
-    }
-
-    /// The piece of this index.
-    #[inline]
-    pub fn piece(&self, index: usize) -> &Piece {
-        &self.pieces[index]
     }
 
     /// Visits the pieces whose boxes meet a box.

@@ -60,7 +60,7 @@ impl Sweep {
         other: Option<&Capsule>,
         safe: &mut [f64],
     ) -> Stop {
-        let dispatch = chain.dispatch();
+        let dispatch = chain.dispatch;
         let other =
             other.map(|capsule| (Axis::from(capsule.segment), self.radius + capsule.radius));
         safe.fill(start);
@@ -69,7 +69,10 @@ impl Sweep {
         dispatch.run(
             #[inline(always)]
             || loop {
-                let (first, share) = first_of(safe);
+                // The link that is safe for the shortest, and until when.
+                let all = safe.iter().copied().enumerate();
+                let first = all.min_by(|one, other| one.1.total_cmp(&other.1));
+                let (first, share) = first.unwrap_or((0, end));
                 if share >= end {
                     return Stop { share: end, met: None };
                 }
@@ -108,7 +111,7 @@ impl Sweep {
         let mut limit = Limit { time: longest, met: None };
         let first = *likely;
         if let Some(index) = first {
-            limit.look(moving, self.scene.piece(index), self.radius);
+            limit.look(moving, &self.scene.pieces[index], self.radius);
         }
         // What is out of reach until then is not looked at. Nor is it later: which pieces are compared must not depend
         // on the order in which they are found.
@@ -157,11 +160,4 @@ impl Limit {
         let time = moving.clear_of(&piece.axis, radius + piece.radius, self.time);
         self.by(time, Met::Obstacle(piece.obstacle))
     }
-}
-
-/// The link that is safe for the shortest, and until when.
-#[inline(always)]
-fn first_of(safe: &[f64]) -> (usize, f64) {
-    let all = safe.iter().copied().enumerate();
-    all.fold((0, f64::INFINITY), |first, each| if each.1 < first.1 { each } else { first })
 }

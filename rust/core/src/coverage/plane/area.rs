@@ -34,10 +34,10 @@ impl TwiceArea {
     /// Adds an arc of the unit circle around `(cx, cy)`, or with the sign -1 takes it away.
     #[inline]
     pub fn add(&mut self, Arc { from, to }: Arc, (cx, cy): (f64, f64), sign: f64) {
+        self.sum += sign * (cx * (to.y - from.y) - cy * (to.x - from.x));
         if self.arcs == AT_ONCE {
             *self = Self { sum: self.total(), ..Self::default() };
         }
-        self.sum += sign * (cx * (to.y - from.y) - cy * (to.x - from.x));
         let (cosine, sine) =
             (from.x * to.x + from.y * to.y, sign * (from.x * to.y - from.y * to.x));
         let (x, y) = self.rotated;

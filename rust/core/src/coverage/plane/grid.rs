@@ -21,7 +21,7 @@ pub(crate) type Live = SmallVec<[Disc; 1]>;
 
 /// The discs whose centres lie in one cell.
 ///
-/// Effects that hardly overlap have a cell each: 144 bytes with the disc, and 6 to 12 in the index.
+/// Effects that hardly overlap have a cell each: 136 bytes with the disc, and 6 to 12 in the index.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cell {
     /// The column and the row of the cell.
@@ -32,8 +32,7 @@ pub(crate) struct Cell {
     /// Discs with exposed arcs; in a crowd also places where one has been.
     pub live: Live,
     /// Centres of discs without: they matter where rounding decides, and nowhere else.
-    #[expect(clippy::box_collection, reason = "a third of a list's size in a million cells")]
-    dead: Option<Box<Vec<[f64; 2]>>>,
+    dead: Vec<[f64; 2]>,
     /// The exposed arcs of the live discs in order, where there are many.
     crowd: Option<Box<Crowd>>,
 }
@@ -164,7 +163,7 @@ impl Grid {
         let index = self.index_at(at).unwrap_or_else(|| self.add_cell(at));
         let cell = &mut self.cells[index as usize];
         if disc.arcs.is_empty() {
-            cell.bury([disc.x, disc.y]); // it fills the last hole nearby
+            cell.dead.push([disc.x, disc.y]); // it fills the last hole nearby
         } else if let Some(crowd) = &mut cell.crowd {
             crowd.insert(disc, &mut cell.live);
         } else {
@@ -192,7 +191,7 @@ impl Grid {
         let near = |[cx, cy]: [f64; 2]| {
             (cx - x) * (cx - x) + (cy - y) * (cy - y) < 2.0 * self.tau * self.tau
         };
-        let buried = |cell: &Cell| cell.dead().iter().copied().any(near);
+        let buried = |cell: &Cell| cell.dead.iter().copied().any(near);
         // Most are covered by a disc in the same cell and without boundary.
         self.cell([x, y]).is_some_and(buried)
             || self.cells_around(x, y).any(|cell| buried(cell) || cell.live().any(near))
@@ -201,7 +200,7 @@ impl Grid {
     /// Whether a disc without boundary has this very centre.
     #[cold]
     pub fn has_buried(&self, centre: [f64; 2]) -> bool {
-        self.cell(centre).is_some_and(|cell| cell.dead().contains(&centre))
+        self.cell(centre).is_some_and(|cell| cell.dead.contains(&centre))
     }
 
     /// The cell of a place, if there is one.
@@ -222,7 +221,7 @@ impl Grid {
 
     /// The centres of all discs, live and dead, that may be within 2 radii.
     pub fn stored_around(&self, x: f64, y: f64) -> impl Iterator<Item = [f64; 2]> {
-        self.cells_around(x, y).flat_map(|cell| cell.live().chain(cell.dead().iter().copied()))
+        self.cells_around(x, y).flat_map(|cell| cell.live().chain(cell.dead.iter().copied()))
     }
 }
 
@@ -263,8 +262,7 @@ impl Cell {
             }
             return;
         }
-        let centre = [disc.x, disc.y];
-        self.bury(centre);
+        self.dead.push([disc.x, disc.y]);
         if let Some(crowd) = &mut self.crowd {
             crowd.vacate(place, &mut self.live);
         } else {
@@ -273,20 +271,10 @@ impl Cell {
         }
     }
 
-    /// Sets aside a disc without boundary.
-    fn bury(&mut self, centre: [f64; 2]) {
-        self.dead.get_or_insert_default().push(centre);
-    }
-
     /// The centres of discs that have boundary.
     fn live(&self) -> impl Iterator<Item = [f64; 2]> {
         let live = self.live.iter().filter(|disc| !disc.arcs.is_empty());
         live.map(|disc| [disc.x, disc.y])
-    }
-
-    /// The centres of discs without boundary.
-    fn dead(&self) -> &[[f64; 2]] {
-        self.dead.as_ref().map_or(&[], |dead| dead.as_slice())
     }
 
     /// Gives up a crowd that has scattered.

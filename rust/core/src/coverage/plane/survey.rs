@@ -149,14 +149,7 @@ impl Survey {
         if crossings.is_empty() {
             return true;
         }
-        // By insertion: there are rarely more than four.
-        for i in 1..crossings.len() {
-            let mut j = i;
-            while j > 0 && crossings[j].at.turn < crossings[j - 1].at.turn {
-                crossings.swap(j - 1, j);
-                j -= 1;
-            }
-        }
+        crossings.sort_by(|a, b| a.at.turn.total_cmp(&b.at.turn));
         let mut before = crossings[crossings.len() - 1];
         let mut before_turn = before.at.turn - 4.0;
         for &crossing in crossings.iter() {

@@ -22,7 +22,14 @@ struct Node {
 #[derive(Debug, Clone)]
 enum Kind {
     Leaf(Vec<Item>),
-    Inner { split: Split, built: usize, changes: usize, halves: Box<[Node; 2]> },
+    /// Items whose coordinate is below a value go into the first half.
+    Inner {
+        axis: usize,
+        at: f64,
+        built: usize,
+        changes: usize,
+        halves: Box<[Node; 2]>,
+    },
 }
 
 /// What a search has found to be out of date.
@@ -30,13 +37,6 @@ enum Kind {
 struct Change {
     narrower: bool,
     gone: usize,
-}
-
-/// Which items go into the first half: those whose coordinate is below a value.
-#[derive(Debug, Clone, Copy)]
-struct Split {
-    axis: usize,
-    at: f64,
 }
 
 /// The exposed arcs of a cell's live discs.
@@ -111,10 +111,10 @@ impl Node {
         let axis = (1..4).fold(0, |wide, axis| if width(axis) > width(wide) { axis } else { wide });
         let half = built / 2;
         items.select_nth_unstable_by(half, |a, b| a.key(axis).total_cmp(&b.key(axis)));
-        let split = Split { axis, at: items[half].key(axis) };
+        let at = items[half].key(axis);
         let (below, above) = items.split_at_mut(half);
         let halves = Box::new([Self::build(below, tau), Self::build(above, tau)]);
-        Self { bound, kind: Kind::Inner { split, built, changes: 0, halves } }
+        Self { bound, kind: Kind::Inner { axis, at, built, changes: 0, halves } }
     }
 
     fn insert(&mut self, item: Item, tau: f64, discs: &[Disc], moving: &mut Vec<Item>) {
@@ -127,10 +127,10 @@ impl Node {
                     self.bound.include(&item, tau);
                 }
             }
-            Kind::Inner { split, built, changes, halves } if *changes < *built => {
+            Kind::Inner { axis, at, built, changes, halves } if *changes < *built => {
                 *changes += 1;
                 self.bound.include(&item, tau);
-                let second = item.key(split.axis) >= split.at;
+                let second = item.key(*axis) >= *at;
                 halves[usize::from(second)].insert(item, tau, discs, moving);
             }
             _ => {

@@ -1,6 +1,6 @@
 //! A box of motor commands or goals, and the draws made in it.
 
-use crate::error::{Error, check_finite, check_length, reserve};
+use crate::error::{Error, check_finite, check_length, check_share, reserve};
 
 /// A stream of independent numbers uniform in [0, 1): the only randomness there is.
 ///
@@ -177,14 +177,6 @@ impl Bounds {
             *x = between((around - reach).max(low), (around + reach).min(high), *x);
         }
     }
-}
-
-/// Checks that a perturbation is a share of the motor range.
-pub(crate) fn check_share(name: &'static str, d: f64) -> Result<(), Error> {
-    if (0.0..=1.0).contains(&d) {
-        return Ok(());
-    }
-    Err(Error::Number { name, must_be: "in [0, 1]", got: d })
 }
 
 /// The number in [`low`, `high`] that a draw `u` from [0, 1) stands for.

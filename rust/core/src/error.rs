@@ -146,6 +146,37 @@ pub fn check_length(name: &'static str, values: &[f64], must_be: usize) -> Resul
     }
 }
 
+/// Checks that a number `fits` what it must be.
+///
+/// # Errors
+/// [`Error::Number`] if it does not.
+pub fn check_number(
+    name: &'static str,
+    got: f64,
+    fits: bool,
+    must_be: &'static str,
+) -> Result<(), Error> {
+    if fits { Ok(()) } else { Err(Error::Number { name, must_be, got }) }
+}
+
+/// Checks that a number is positive and finite.
+pub(crate) fn check_positive(name: &'static str, got: f64) -> Result<(), Error> {
+    check_number(name, got, got > 0.0 && got.is_finite(), "positive and finite")
+}
+
+/// Checks that a number is a share of something, of which all or nothing counts, too.
+pub(crate) fn check_share(name: &'static str, got: f64) -> Result<(), Error> {
+    check_number(name, got, (0.0..=1.0).contains(&got), "in [0, 1]")
+}
+
+/// Checks that `name` counts something.
+pub(crate) fn check_count(name: &'static str, got: usize) -> Result<(), Error> {
+    if got > 0 {
+        return Ok(());
+    }
+    Err(Error::Count { name, must_be: "at least 1".into(), got })
+}
+
 /// Checks that a flat array holds whole rows of length `row`.
 ///
 /// # Errors

@@ -4,7 +4,7 @@ use super::estimators::{Estimator, EstimatorKind};
 use super::policies::{Choice, Estimates, Policy, PolicyKind};
 use super::rewards::RewardKind;
 use crate::bounds::UniformStream;
-use crate::error::Error;
+use crate::error::{Error, check_count};
 use crate::strategies::Composite;
 
 /// The dimension that is assumed until the first effect.
@@ -38,9 +38,7 @@ impl Bandit {
         policy: PolicyKind,
         effect_dim: Option<usize>,
     ) -> Result<Self, Error> {
-        if parts == 0 {
-            return Err(Error::Count { name: "parts", must_be: "at least 1".into(), got: parts });
-        }
+        check_count("parts", parts)?;
         let largest = reward.largest(effect_dim.unwrap_or(PLANE)).or_else(|error| {
             // Raised with the first effect, when its dimension is known.
             if effect_dim.is_none() { Ok(0.0) } else { Err(error) }

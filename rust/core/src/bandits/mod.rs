@@ -11,37 +11,21 @@ pub mod rewards;
 
 pub use bandit::Bandit;
 
-use crate::error::Error;
+use crate::error::{Error, check_count, check_number};
 
 /// Checks the number of parts that a bandit chooses among, and the upper bound of the rewards: 0 if
 /// there is none.
 fn check_start(parts: usize, largest: f64) -> Result<(), Error> {
-    if parts == 0 {
-        return Err(Error::Count { name: "parts", must_be: "at least 1".to_owned(), got: parts });
-    }
+    check_count("parts", parts)?;
     check_at_least_0("largest", largest)
 }
 
 /// Checks that a number is finite and not negative.
 fn check_at_least_0(name: &'static str, number: f64) -> Result<(), Error> {
-    if number.is_finite() && number >= 0.0 {
-        return Ok(());
-    }
-    Err(Error::Number { name, must_be: "finite and not negative", got: number })
-}
-
-/// Checks that a number is in [0, 1].
-fn check_in_0_to_1(name: &'static str, number: f64) -> Result<(), Error> {
-    if (0.0..=1.0).contains(&number) {
-        return Ok(());
-    }
-    Err(Error::Number { name, must_be: "in [0, 1]", got: number })
+    check_number(name, number, number.is_finite() && number >= 0.0, "finite and not negative")
 }
 
 /// Checks that a number is in (0, 1].
 fn check_above_0_to_1(name: &'static str, number: f64) -> Result<(), Error> {
-    if 0.0 < number && number <= 1.0 {
-        return Ok(());
-    }
-    Err(Error::Number { name, must_be: "in (0, 1]", got: number })
+    check_number(name, number, 0.0 < number && number <= 1.0, "in (0, 1]")
 }

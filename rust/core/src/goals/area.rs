@@ -7,7 +7,7 @@ use crate::kdtree::NearestNeighbors;
 
 /// Where a sampler draws its goals.
 #[derive(Debug, Clone)]
-pub(super) struct Area {
+pub struct Area {
     given: bool,
     /// The box, or that of the sensory space seen last.
     goals: Option<Bounds>,
@@ -15,12 +15,12 @@ pub(super) struct Area {
 
 impl Area {
     /// The given box, or else the sensory space.
-    pub fn new(given: Option<Bounds>) -> Self {
+    pub(super) fn new(given: Option<Bounds>) -> Self {
         Self { given: given.is_some(), goals: given }
     }
 
     /// The box for goals in this sensory space; checks that it is of the effects' dimension.
-    pub fn check<'a>(
+    pub(super) fn check<'a>(
         &'a self,
         effect_dim: Option<usize>,
         sensory_space: Option<&'a Bounds>,
@@ -32,26 +32,33 @@ impl Area {
     }
 
     /// The box for goals in this history.
-    pub fn of(&mut self, history: &History) -> Result<&Bounds, Error> {
+    pub(super) fn of(&mut self, history: &History) -> Result<&Bounds, Error> {
         if !self.given && self.goals.as_ref() != history.sensory_space() {
             self.goals = history.sensory_space().cloned();
         }
         self.goals.as_ref().ok_or(MISSING)
     }
 
-    /// The box, and all effects of a history that has some.
-    pub fn with_effects<'a>(
+    /// The box, and all effects of the history, with room in `goal`; None while there are none: then
+    /// a goal uniform in the box is written.
+    pub(super) fn begin<'a>(
         &'a mut self,
         history: &'a mut History,
-    ) -> Result<(&'a Bounds, &'a NearestNeighbors), Error> {
+        draws: &mut dyn UniformStream,
+        goal: &mut Vec<f64>,
+    ) -> Result<Option<(&'a Bounds, &'a NearestNeighbors)>, Error> {
+        if history.is_empty() {
+            return self.sample(history, draws, goal).map(|()| None);
+        }
         let goals = self.of(history)?;
         let effects = history.observed()?.effects;
         check_length("goals", goals.low(), effects.dim())?;
-        Ok((goals, effects))
+        goal.resize(goals.dim(), 0.0);
+        Ok(Some((goals, effects)))
     }
 
     /// Writes a goal uniform in the box.
-    pub fn sample(
+    pub(super) fn sample(
         &self,
         history: &History,
         draws: &mut dyn UniformStream,

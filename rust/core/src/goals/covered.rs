@@ -8,9 +8,8 @@
 //! effect to the farthest corner of a cell is at most tau, so is that to any point in it. Cells are
 //! enlarged a little, for the rounding of their borders.
 
-use super::check_distance;
 use crate::bounds::Bounds;
-use crate::error::Error;
+use crate::error::{Error, check_positive};
 use crate::kdtree::NearestNeighbors;
 
 /// Upper limit on the number of cells, a bit each.
@@ -37,7 +36,7 @@ pub(super) struct Covered {
 impl Covered {
     /// Within `tau`, which must be positive and finite.
     pub fn new(tau: f64) -> Result<Self, Error> {
-        check_distance("tau", tau)?;
+        check_positive("tau", tau)?;
         let mut squared = (tau * tau).min(f64::MAX);
         while squared.sqrt() > tau {
             squared = squared.next_down();

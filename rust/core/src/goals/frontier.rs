@@ -2,9 +2,9 @@
 
 use super::area::Area;
 use super::covered::Covered;
-use super::{GoalSampler, check_count, check_reach};
+use super::{GoalSampler, check_reach};
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::Error;
+use crate::error::{Error, check_count};
 use crate::history::History;
 
 /// Goals around an effect that no effect covers: the first of at most so many that is farther than
@@ -43,12 +43,8 @@ impl Frontier {
 }
 
 impl GoalSampler for Frontier {
-    fn check(
-        &self,
-        effect_dim: Option<usize>,
-        sensory_space: Option<&Bounds>,
-    ) -> Result<(), Error> {
-        self.area.check(effect_dim, sensory_space).map(|_| ())
+    fn area(&self) -> &Area {
+        &self.area
     }
 
     fn sample(
@@ -57,13 +53,11 @@ impl GoalSampler for Frontier {
         draws: &mut dyn UniformStream,
         goal: &mut Vec<f64>,
     ) -> Result<(), Error> {
-        if history.is_empty() {
-            return self.area.sample(history, draws, goal);
-        }
-        let (goals, effects) = self.area.with_effects(history)?;
+        let Some((goals, effects)) = self.area.begin(history, draws, goal)? else {
+            return Ok(());
+        };
         self.covered.update(goals, effects);
         let (n, dim) = (effects.len(), effects.dim());
-        goal.resize(dim, 0.0);
         for left in (0..self.tries).rev() {
             let index = ((draws.next() * n as f64) as usize).min(n - 1);
             let centre = &effects.points()[index * dim..][..dim];

@@ -1,9 +1,9 @@
 //! A goal in each cell of a grid before there is a second one in any.
 
+use super::GoalSampler;
 use super::area::Area;
-use super::{GoalSampler, check_count};
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::Error;
+use crate::error::{Error, check_count};
 use crate::history::History;
 
 /// Upper limit on the number of cells, which are stored one by one.
@@ -78,6 +78,10 @@ impl Cells {
 }
 
 impl GoalSampler for Grid {
+    fn area(&self) -> &Area {
+        &self.area
+    }
+
     fn check(
         &self,
         effect_dim: Option<usize>,

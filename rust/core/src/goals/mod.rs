@@ -18,6 +18,7 @@ mod untried;
 
 use std::fmt;
 
+pub use area::Area;
 pub use frontier::Frontier;
 pub use grid::{Cells, Grid};
 pub use novel::Novel;
@@ -26,20 +27,28 @@ pub use uniform::Uniform;
 pub use untried::Untried;
 
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::Error;
+use crate::error::{Error, check_number};
 use crate::history::History;
 
 /// What draws the goals of one exploration.
 ///
 /// A sampler belongs to one history, that of its first call.
 pub trait GoalSampler: fmt::Debug + Send + Sync {
+    /// Where it draws them.
+    fn area(&self) -> &Area;
+
     /// Refuses effects of a dimension that it cannot draw goals for (None if it is not known
     /// yet), and a missing box.
     ///
     /// # Errors
     /// [`Error::Empty`] of "goals" if it has no box and there is no sensory space.
-    fn check(&self, effect_dim: Option<usize>, sensory_space: Option<&Bounds>)
-    -> Result<(), Error>;
+    fn check(
+        &self,
+        effect_dim: Option<usize>,
+        sensory_space: Option<&Bounds>,
+    ) -> Result<(), Error> {
+        self.area().check(effect_dim, sensory_space).map(|_| ())
+    }
 
     /// Writes a goal, which takes the length that it needs.
     ///
@@ -55,26 +64,7 @@ pub trait GoalSampler: fmt::Debug + Send + Sync {
     ) -> Result<(), Error>;
 }
 
-/// Checks that `name` counts something.
-fn check_count(name: &'static str, got: usize) -> Result<(), Error> {
-    if got > 0 {
-        return Ok(());
-    }
-    Err(Error::Count { name, must_be: "at least 1".into(), got })
-}
-
-/// Checks that a distance called `name` is one.
-fn check_distance(name: &'static str, distance: f64) -> Result<(), Error> {
-    if distance > 0.0 && distance.is_finite() {
-        return Ok(());
-    }
-    Err(Error::Number { name, must_be: "positive and finite", got: distance })
-}
-
 /// Checks that a reach, in tau, does not end within what an effect covers.
 fn check_reach(reach: f64) -> Result<(), Error> {
-    if reach >= 1.0 && reach.is_finite() {
-        return Ok(());
-    }
-    Err(Error::Number { name: "reach", must_be: "at least 1, finite", got: reach })
+    check_number("reach", reach, reach >= 1.0 && reach.is_finite(), "at least 1, finite")
 }

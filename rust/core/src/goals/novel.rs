@@ -1,9 +1,9 @@
 //! The most novel of a few goals.
 
+use super::GoalSampler;
 use super::area::Area;
-use super::{GoalSampler, check_count};
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::Error;
+use crate::error::{Error, check_count};
 use crate::history::History;
 
 /// Of a few goals uniform in the box, the one whose nearest effect is farthest away; the first of
@@ -27,12 +27,8 @@ impl Novel {
 }
 
 impl GoalSampler for Novel {
-    fn check(
-        &self,
-        effect_dim: Option<usize>,
-        sensory_space: Option<&Bounds>,
-    ) -> Result<(), Error> {
-        self.area.check(effect_dim, sensory_space).map(|_| ())
+    fn area(&self) -> &Area {
+        &self.area
     }
 
     fn sample(
@@ -41,11 +37,9 @@ impl GoalSampler for Novel {
         draws: &mut dyn UniformStream,
         goal: &mut Vec<f64>,
     ) -> Result<(), Error> {
-        if history.is_empty() {
-            return self.area.sample(history, draws, goal);
-        }
-        let (goals, effects) = self.area.with_effects(history)?;
-        goal.resize(goals.dim(), 0.0);
+        let Some((goals, effects)) = self.area.begin(history, draws, goal)? else {
+            return Ok(());
+        };
         goals.sample_into(goal, draws);
         let mut farthest = effects.nearest(goal)?.0;
         self.candidate.resize(goals.dim(), 0.0);

@@ -1,10 +1,10 @@
 //! A goal that no effect covers.
 
+use super::GoalSampler;
 use super::area::Area;
 use super::covered::Covered;
-use super::{GoalSampler, check_count};
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::Error;
+use crate::error::{Error, check_count};
 use crate::history::History;
 
 /// Goals uniform among those of the box that are farther than tau from every effect: the first of
@@ -28,12 +28,8 @@ impl Uncovered {
 }
 
 impl GoalSampler for Uncovered {
-    fn check(
-        &self,
-        effect_dim: Option<usize>,
-        sensory_space: Option<&Bounds>,
-    ) -> Result<(), Error> {
-        self.area.check(effect_dim, sensory_space).map(|_| ())
+    fn area(&self) -> &Area {
+        &self.area
     }
 
     fn sample(
@@ -42,12 +38,10 @@ impl GoalSampler for Uncovered {
         draws: &mut dyn UniformStream,
         goal: &mut Vec<f64>,
     ) -> Result<(), Error> {
-        if history.is_empty() {
-            return self.area.sample(history, draws, goal);
-        }
-        let (goals, effects) = self.area.with_effects(history)?;
+        let Some((goals, effects)) = self.area.begin(history, draws, goal)? else {
+            return Ok(());
+        };
         self.covered.update(goals, effects);
-        goal.resize(goals.dim(), 0.0);
         goals.sample_into(goal, draws);
         for _ in 1..self.tries {
             if !self.covered.covers(goal, effects)? {

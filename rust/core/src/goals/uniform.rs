@@ -23,12 +23,8 @@ impl Uniform {
 }
 
 impl GoalSampler for Uniform {
-    fn check(
-        &self,
-        effect_dim: Option<usize>,
-        sensory_space: Option<&Bounds>,
-    ) -> Result<(), Error> {
-        self.area.check(effect_dim, sensory_space).map(|_| ())
+    fn area(&self) -> &Area {
+        &self.area
     }
 
     fn sample(

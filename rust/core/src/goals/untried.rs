@@ -2,9 +2,9 @@
 
 use super::area::Area;
 use super::covered::Covered;
-use super::{GoalSampler, check_count, check_reach};
+use super::{GoalSampler, check_reach};
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::Error;
+use crate::error::{Error, check_count};
 use crate::history::History;
 use crate::kdtree::NearestNeighbors;
 
@@ -51,12 +51,8 @@ impl Untried {
 }
 
 impl GoalSampler for Untried {
-    fn check(
-        &self,
-        effect_dim: Option<usize>,
-        sensory_space: Option<&Bounds>,
-    ) -> Result<(), Error> {
-        self.area.check(effect_dim, sensory_space).map(|_| ())
+    fn area(&self) -> &Area {
+        &self.area
     }
 
     fn sample(
@@ -65,13 +61,11 @@ impl GoalSampler for Untried {
         draws: &mut dyn UniformStream,
         goal: &mut Vec<f64>,
     ) -> Result<(), Error> {
-        if history.is_empty() {
-            return self.area.sample(history, draws, goal);
-        }
-        let (goals, effects) = self.area.with_effects(history)?;
+        let Some((goals, effects)) = self.area.begin(history, draws, goal)? else {
+            return Ok(());
+        };
         self.covered.update(goals, effects);
         self.counts.resize(effects.len(), 0);
-        goal.resize(goals.dim(), 0.0);
         self.candidate.resize(goals.dim(), 0.0);
         let candidate = &mut self.candidate[..];
         // The count, the distance and the index of the nearest effect.

@@ -1,9 +1,9 @@
 //! The weighted mean of the commands of the effects nearest to the goal, perturbed.
 
+use super::InverseModel;
 use super::mean::{normalize, perturbed_mean};
-use super::{InverseModel, check_count};
-use crate::bounds::{UniformStream, check_share};
-use crate::error::Error;
+use crate::bounds::UniformStream;
+use crate::error::{Error, check_count, check_share};
 use crate::history::History;
 
 /// A command between those of the k effects nearest to the goal - of all where there are fewer -,

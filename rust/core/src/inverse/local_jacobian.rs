@@ -14,9 +14,9 @@
 //! Cholesky factorisation written out here: its sums have one order, whatever the CPU or the
 //! version of a library.
 
-use super::{InverseModel, Observed, check_count, check_positive};
-use crate::bounds::{UniformStream, check_share};
-use crate::error::Error;
+use super::{InverseModel, Observed};
+use crate::bounds::UniformStream;
+use crate::error::{Error, check_count, check_positive, check_share};
 use crate::history::History;
 use crate::kdtree::nearer;
 

@@ -9,9 +9,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::mean::{normalize, perturbed_mean};
-use super::{InverseModel, Observed, check_count, check_positive};
-use crate::bounds::{UniformStream, check_share};
-use crate::error::Error;
+use super::{InverseModel, Observed};
+use crate::bounds::UniformStream;
+use crate::error::{Error, check_count, check_positive, check_share};
 use crate::history::History;
 
 /// How far the weights reach, in distances of the farthest neighbour: it keeps an eighth.

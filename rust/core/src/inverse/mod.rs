@@ -68,19 +68,3 @@ impl Observed<'_> {
         check_length("commands", self.commands, self.effects.len() * self.motor_space.dim())
     }
 }
-
-/// Checks that `name` counts something.
-fn check_count(name: &'static str, got: usize) -> Result<(), Error> {
-    if got > 0 {
-        return Ok(());
-    }
-    Err(Error::Count { name, must_be: "at least 1".into(), got })
-}
-
-/// Checks that `name` is positive and finite.
-fn check_positive(name: &'static str, got: f64) -> Result<(), Error> {
-    if got > 0.0 && got.is_finite() {
-        return Ok(());
-    }
-    Err(Error::Number { name, must_be: "positive and finite", got })
-}

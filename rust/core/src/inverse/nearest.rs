@@ -2,8 +2,8 @@
 //! nearest to the goal, perturbed.
 
 use super::InverseModel;
-use crate::bounds::{UniformStream, check_share};
-use crate::error::Error;
+use crate::bounds::UniformStream;
+use crate::error::{Error, check_share};
 use crate::history::History;
 
 /// The command of the nearest effect, perturbed by up to the share d of each motor range.

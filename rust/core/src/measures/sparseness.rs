@@ -6,7 +6,7 @@
 //! 2011, Evolutionary Computation 19(2), 189-223). The measure is the sum of these gains.
 
 use super::{Measure, check_dim};
-use crate::error::{Error, place};
+use crate::error::{Error, check_count, place};
 use crate::exact_sum::ExactSum;
 use crate::kdtree::NearestNeighbors;
 
@@ -24,9 +24,7 @@ pub(super) struct Sparseness {
 impl Sparseness {
     pub fn new(k: usize, dim: usize) -> Result<Self, Error> {
         check_dim(dim)?;
-        if k == 0 {
-            return Err(Error::Count { name: "k", must_be: "at least 1".to_owned(), got: k });
-        }
+        check_count("k", k)?;
         Ok(Self { k, tree: NearestNeighbors::new(dim)?, measure: ExactSum::default() })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Choice, Composite, proportionally, total_of};
 use crate::bounds::UniformStream;
-use crate::error::{Error, check_finite};
+use crate::error::{Error, check_finite, check_positive};
 
 /// Part j with a probability proportional to its weight, always: one draw.
 #[derive(Debug, Clone)]
@@ -29,10 +29,7 @@ impl Mixture {
             });
         }
         let total = total_of(weights.iter().copied());
-        if !(0.0 < total && total < f64::INFINITY) {
-            let must_be = "positive and finite";
-            return Err(Error::Number { name: "the sum of weights", must_be, got: total });
-        }
+        check_positive("the sum of weights", total)?;
         Ok(Self { weights })
     }
 }

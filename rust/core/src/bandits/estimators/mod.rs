@@ -14,15 +14,18 @@
 mod discounted;
 mod largest;
 mod recent_window;
-mod whole_past;
 mod window;
 
 use std::fmt;
 
 use super::{check_above_0_to_1, check_start};
 use crate::error::Error;
+use crate::exact_sum::ExactSum;
 
+use discounted::Discounted;
 pub(super) use largest::Largest;
+use recent_window::RecentWindow;
+use window::Window;
 
 /// Upper limit on the window, all of whose rewards are stored.
 const LONGEST: usize = 1_000_000;
@@ -44,6 +47,52 @@ pub trait Estimator: fmt::Debug + Send + Sync {
     /// # Panics
     /// If there is no such part.
     fn add(&mut self, part: usize, reward: f64);
+}
+
+/// What an estimator keeps of the rewards, besides the means and counts that follow from it.
+trait Memory: fmt::Debug + Send + Sync {
+    /// Remembers a reward of a part.
+    fn add(&mut self, part: usize, reward: f64, means: &mut [f64], counts: &mut [f64]);
+}
+
+/// An estimator at work.
+#[derive(Debug)]
+struct Running<M> {
+    means: Vec<f64>,
+    counts: Vec<f64>,
+    largest: Largest,
+    memory: M,
+}
+
+impl<M: Memory + 'static> Running<M> {
+    /// Begins with `head_start` rewards of each part, in order, all the largest possible.
+    fn begin(memory: M, head_start: usize, parts: usize, largest: f64) -> Box<dyn Estimator> {
+        let (means, counts) = (vec![0.0; parts], vec![0.0; parts]);
+        let mut begun = Self { means, counts, largest: Largest::new(largest), memory };
+        for _ in 0..head_start {
+            (0..parts).for_each(|part| begun.add(part, largest));
+        }
+        Box::new(begun)
+    }
+}
+
+impl<M: Memory> Estimator for Running<M> {
+    fn means(&self) -> &[f64] {
+        &self.means
+    }
+
+    fn counts(&self) -> &[f64] {
+        &self.counts
+    }
+
+    fn largest(&self) -> f64 {
+        self.largest.value()
+    }
+
+    fn add(&mut self, part: usize, reward: f64) {
+        self.memory.add(part, reward, &mut self.means, &mut self.counts);
+        self.largest.see(reward);
+    }
 }
 
 /// Which estimator, and its parameters.
@@ -88,18 +137,18 @@ impl EstimatorKind {
             Self::Window { size, head_start } => {
                 check_size(size)?;
                 check_head_start(head_start, size)?;
-                Box::new(window::Window::new(size, head_start, parts, largest))
+                Running::begin(Window::new(size, parts), head_start, parts, largest)
             }
             Self::RecentWindow { size } => {
                 check_size(size)?;
-                Box::new(recent_window::RecentWindow::new(size, parts, largest))
+                Running::begin(RecentWindow::new(Some(size), parts), 0, parts, largest)
             }
             Self::Discounted { gamma, head_start } => {
                 check_above_0_to_1("gamma", gamma)?;
                 check_head_start(head_start, LONGEST)?;
-                Box::new(discounted::Discounted::new(gamma, head_start, parts, largest))
+                Running::begin(Discounted { gamma }, head_start, parts, largest)
             }
-            Self::WholePast => Box::new(whole_past::WholePast::new(parts, largest)),
+            Self::WholePast => Running::begin(RecentWindow::new(None, parts), 0, parts, largest),
         })
     }
 }
@@ -120,6 +169,6 @@ fn check_head_start(head_start: usize, most: usize) -> Result<(), Error> {
 
 /// The mean of `count` rewards of this sum; 0 if there is none.
 #[inline]
-fn mean_of(sum: f64, count: f64) -> f64 {
-    if count == 0.0 { 0.0 } else { sum / count }
+fn mean_of(sum: &ExactSum, count: f64) -> f64 {
+    if count == 0.0 { 0.0 } else { sum.value() / count }
 }

@@ -1,75 +1,44 @@
-//! RecentWindow: the last rewards of all parts together.
+//! RecentWindow and WholePast: the last rewards of all parts together, or all of them.
 
 use std::collections::VecDeque;
 
-use super::largest::Largest;
-use super::{Estimator, mean_of};
+use super::{Memory, mean_of};
 use crate::exact_sum::ExactSum;
 
-/// The mean of each part's rewards among the last `size` rewards of all of them.
+/// The mean of each part's rewards among the last so many rewards of all of them, or among all.
 ///
 /// The estimator of SW-UCB (Garivier and Moulines 2008, "On Upper-Confidence Bound Policies for
 /// Non-Stationary Bandit Problems"). A part that was not chosen for `size` steps counts as never
 /// tried.
 #[derive(Debug)]
 pub(super) struct RecentWindow {
-    size: usize,
-    /// Whose each reward is, the oldest first.
-    rewards: VecDeque<(usize, f64)>,
+    /// How many, and whose each reward is, the oldest first; None if no reward is forgotten.
+    last: Option<(usize, VecDeque<(usize, f64)>)>,
     sums: Vec<ExactSum>,
-    means: Vec<f64>,
-    counts: Vec<f64>,
-    largest: Largest,
 }
 
 impl RecentWindow {
-    pub fn new(size: usize, parts: usize, largest: f64) -> Self {
-        Self {
-            size,
-            rewards: VecDeque::new(),
-            sums: vec![ExactSum::default(); parts],
-            means: vec![0.0; parts],
-            counts: vec![0.0; parts],
-            largest: Largest::new(largest),
-        }
-    }
-
-    /// Takes the oldest reward out of a full window.
-    fn make_room(&mut self) {
-        if self.rewards.len() == self.size
-            && let Some((part, reward)) = self.rewards.pop_front()
-        {
-            self.sums[part].subtract(reward);
-            self.counts[part] -= 1.0;
-            self.update(part);
-        }
-    }
-
-    /// Recomputes the mean of a part whose rewards have changed.
-    fn update(&mut self, part: usize) {
-        self.means[part] = mean_of(self.sums[part].value(), self.counts[part]);
+    /// The last `size` rewards; all of them if that is None.
+    pub fn new(size: Option<usize>, parts: usize) -> Self {
+        let last = size.map(|size| (size, VecDeque::new()));
+        Self { last, sums: vec![ExactSum::default(); parts] }
     }
 }
 
-impl Estimator for RecentWindow {
-    fn means(&self) -> &[f64] {
-        &self.means
-    }
-
-    fn counts(&self) -> &[f64] {
-        &self.counts
-    }
-
-    fn largest(&self) -> f64 {
-        self.largest.value()
-    }
-
-    fn add(&mut self, part: usize, reward: f64) {
-        self.make_room();
-        self.rewards.push_back((part, reward));
+impl Memory for RecentWindow {
+    fn add(&mut self, part: usize, reward: f64, means: &mut [f64], counts: &mut [f64]) {
+        if let Some((size, rewards)) = &mut self.last {
+            if rewards.len() == *size
+                && let Some((oldest, reward)) = rewards.pop_front()
+            {
+                self.sums[oldest].subtract(reward);
+                counts[oldest] -= 1.0;
+                means[oldest] = mean_of(&self.sums[oldest], counts[oldest]);
+            }
+            rewards.push_back((part, reward));
+        }
         self.sums[part].add(reward);
-        self.counts[part] += 1.0;
-        self.update(part);
-        self.largest.see(reward);
+        counts[part] += 1.0;
+        means[part] = mean_of(&self.sums[part], counts[part]);
     }
 }

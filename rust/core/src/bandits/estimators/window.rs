@@ -2,53 +2,27 @@
 
 use std::collections::VecDeque;
 
-use super::largest::Largest;
-use super::{Estimator, mean_of};
+use super::{Memory, mean_of};
 use crate::exact_sum::ExactSum;
 
 /// The mean of each part's last `size` rewards, whenever it earned them.
 ///
 /// A mean is recomputed when its part's window changes, and at no other time.
 #[derive(Debug)]
-pub(super) struct Window {
-    windows: Vec<Last>,
-    means: Vec<f64>,
-    counts: Vec<f64>,
-    largest: Largest,
-}
+pub(super) struct Window(Vec<Last>);
 
 impl Window {
-    pub fn new(size: usize, head_start: usize, parts: usize, largest: f64) -> Self {
-        let mut window = Last::new(size);
-        (0..head_start).for_each(|_| window.add(largest));
-        Self {
-            means: vec![window.mean(); parts],
-            counts: vec![window.count(); parts],
-            windows: vec![window; parts],
-            largest: Largest::new(largest),
-        }
+    pub fn new(size: usize, parts: usize) -> Self {
+        Self(vec![Last::new(size); parts])
     }
 }
 
-impl Estimator for Window {
-    fn means(&self) -> &[f64] {
-        &self.means
-    }
-
-    fn counts(&self) -> &[f64] {
-        &self.counts
-    }
-
-    fn largest(&self) -> f64 {
-        self.largest.value()
-    }
-
-    fn add(&mut self, part: usize, reward: f64) {
-        let window = &mut self.windows[part];
+impl Memory for Window {
+    fn add(&mut self, part: usize, reward: f64, means: &mut [f64], counts: &mut [f64]) {
+        let window = &mut self.0[part];
         window.add(reward);
-        self.means[part] = window.mean();
-        self.counts[part] = window.count();
-        self.largest.see(reward);
+        means[part] = window.mean();
+        counts[part] = window.count();
     }
 }
 
@@ -93,7 +67,7 @@ impl Last {
     /// the mean would not be.
     #[inline]
     fn mean(&self) -> f64 {
-        mean_of(self.sum.value(), self.count())
+        mean_of(&self.sum, self.count())
     }
 }
 

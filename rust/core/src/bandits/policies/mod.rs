@@ -24,9 +24,9 @@ mod uniform;
 use std::fmt;
 
 use super::estimators::Estimator;
-use super::{check_above_0_to_1, check_at_least_0, check_in_0_to_1, check_start};
+use super::{check_above_0_to_1, check_at_least_0, check_start};
 use crate::bounds::UniformStream;
-use crate::error::Error;
+use crate::error::{Error, check_positive, check_share};
 
 pub use proportional::powers;
 
@@ -147,19 +147,16 @@ impl PolicyKind {
         check_start(parts, largest)?;
         Ok(match *self {
             Self::Proportional { alpha, power } => {
-                check_in_0_to_1("alpha", alpha)?;
+                check_share("alpha", alpha)?;
                 check_at_least_0("power", power)?;
                 Box::new(proportional::Proportional::new(alpha, power, parts))
             }
             Self::EpsilonGreedy { epsilon } => {
-                check_in_0_to_1("epsilon", epsilon)?;
+                check_share("epsilon", epsilon)?;
                 Box::new(epsilon_greedy::EpsilonGreedy::new(epsilon, parts))
             }
             Self::Softmax { temperature, scaled } => {
-                if !(temperature.is_finite() && temperature > 0.0) {
-                    let must_be = "positive and finite";
-                    return Err(Error::Number { name: "temperature", must_be, got: temperature });
-                }
+                check_positive("temperature", temperature)?;
                 Box::new(softmax::Softmax::new(temperature, scaled, parts))
             }
             Self::Ucb { xi } => {

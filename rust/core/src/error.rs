@@ -102,36 +102,26 @@ impl std::error::Error for Error {}
 /// # Errors
 /// [`Error::Element`] at the first that is not.
 pub fn check_finite(name: &'static str, values: &[f64], row: usize) -> Result<(), Error> {
-    check_each(name, values, row, f64::is_finite, || "finite".to_owned())
+    check_each(name, values, row, "finite", |value| value.is_finite())
 }
 
-/// Checks that each of `values`, rows of length `row`, is what it `must_be`.
-///
-/// # Errors
-/// [`Error::Element`] at the first that is not.
+/// Checks that each of `values`, rows as in [`check_finite`], is what it must be.
 pub(crate) fn check_each(
     name: &'static str,
     values: &[f64],
     row: usize,
-    is_right: impl Fn(f64) -> bool,
-    must_be: impl FnOnce() -> String,
+    must_be: &str,
+    fits: impl Fn(f64) -> bool,
 ) -> Result<(), Error> {
-    let Some(index) = values.iter().position(|&value| !is_right(value)) else { return Ok(()) };
-    let at = place(index, row, values.len());
-    Err(Error::Element { name, at, must_be: must_be(), got: values[index] })
-}
-
-/// Checks that a number, for which this `is_right`, is what it `must_be`.
-///
-/// # Errors
-/// [`Error::Number`] if it is not.
-pub(crate) fn check_number(
-    name: &'static str,
-    got: f64,
-    is_right: bool,
-    must_be: &'static str,
-) -> Result<(), Error> {
-    if is_right { Ok(()) } else { Err(Error::Number { name, must_be, got }) }
+    match values.iter().position(|&value| !fits(value)) {
+        None => Ok(()),
+        Some(index) => Err(Error::Element {
+            name,
+            at: place(index, row, values.len()),
+            must_be: must_be.to_owned(),
+            got: values[index],
+        }),
+    }
 }
 
 /// Checks that `values` has the length that it must have.

@@ -115,7 +115,7 @@ fn point(name: &'static str, at: [f64; 2]) -> Result<Vector, Error> {
 /// Refuses coordinates, rows of length `row`, that are not finite or too large.
 fn check_places(name: &'static str, numbers: &[f64], row: usize) -> Result<(), Error> {
     check_finite(name, numbers, row)?;
-    check_each(name, numbers, row, |x| x.abs() <= LARGEST, || "at most 1e6 from 0".to_owned())
+    check_each(name, numbers, row, "at most 1e6 from 0", |x| x.abs() <= LARGEST)
 }
 
 /// The outline's edges; the last leads back to the first corner.

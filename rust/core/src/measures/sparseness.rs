@@ -6,7 +6,7 @@
 //! 2011, Evolutionary Computation 19(2), 189-223). The measure is the sum of these gains.
 
 use super::{Measure, check_dim};
-use crate::error::{Error, check_count, place};
+use crate::error::{Error, check_count, check_each};
 use crate::exact_sum::ExactSum;
 use crate::kdtree::NearestNeighbors;
 
@@ -48,15 +48,8 @@ impl Measure for Sparseness {
     }
 
     fn check(&self, name: &'static str, effects: &[f64]) -> Result<(), Error> {
-        match effects.iter().position(|x| x.abs() > FARTHEST) {
-            None => self.tree.check_room(effects.len() / self.dim()),
-            Some(index) => Err(Error::Element {
-                name,
-                at: place(index, self.dim(), effects.len()),
-                must_be: format!("within {FARTHEST:?} of 0"),
-                got: effects[index],
-            }),
-        }
+        check_each(name, effects, self.dim(), "within 1e150 of 0", |x| x.abs() <= FARTHEST)?;
+        self.tree.check_room(effects.len() / self.dim())
     }
 
     fn gain(&mut self, effect: &[f64]) -> f64 {

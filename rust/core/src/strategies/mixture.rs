@@ -2,7 +2,7 @@
 
 use super::{Choice, Composite, proportionally, total_of};
 use crate::bounds::UniformStream;
-use crate::error::{Error, check_finite, check_positive};
+use crate::error::{Error, check_each, check_finite, check_positive};
 
 /// Part j with a probability proportional to its weight, always: one draw.
 #[derive(Debug, Clone)]
@@ -20,14 +20,7 @@ impl Mixture {
             return Err(Error::Empty { name: "weights" });
         }
         check_finite("weights", &weights, weights.len())?;
-        if let Some(index) = weights.iter().position(|&weight| weight < 0.0) {
-            return Err(Error::Element {
-                name: "weights",
-                at: format!("[{index}]"),
-                must_be: "not negative".to_owned(),
-                got: weights[index],
-            });
-        }
+        check_each("weights", &weights, weights.len(), "not negative", |weight| weight >= 0.0)?;
         let total = total_of(weights.iter().copied());
         check_positive("the sum of weights", total)?;
         Ok(Self { weights })

@@ -11,6 +11,7 @@ from numpy.testing import assert_array_equal
 import divbandit as db
 from divbandit._core import Bounds, Engine, Journal, Reward
 from divbandit._core import History as Log
+from divbandit.exploration.replay import RUN, events_of
 
 BOX = db.Box([0.0], [1.0])
 PLANE = db.FunctionEnvironment(lambda command: [command[0], 2.0], motor_space=BOX)
@@ -129,3 +130,26 @@ def test_engines_agree_where_a_nested_bandit_cannot_reward() -> None:
             explorer = raised.value.explorer  # type: ignore[attr-defined]
             found.append((len(explorer.history), explorer.estimates))
         assert found == [(2, (1.0,))] * 2
+
+
+def test_only_an_effect_that_was_recorded_and_not_rewarded_is_refused() -> None:
+    """An explorer notes in its journal that the newest effect raised: it must be that one."""
+    rng = np.random.default_rng(0)
+    # Nothing is recorded: the arm does not take commands of the history's motor space.
+    engine, (log, journal) = begun()
+    with pytest.raises(ValueError, match="motor_space must have length 3, got 1"):
+        engine.run(db.PlanarArm(3), 5, math.inf, log, journal, rng)
+    assert (len(log), journal.size) == (0, 0)
+    # The first effect is recorded, and lies too many cells away to be rewarded.
+    arm = db.PlanarArm(3)
+    log = Log(arm.motor_space.bounds, None)
+    far = db.bandits.Gain(db.measures.GridCoverage(1e-9, origin=1e300))
+    engine, journal = Engine(db.bandits.ucb1([db.MotorBabbling()], reward=far), log), Journal()
+    log.begin(keeps_commands=True, width=1)
+    with pytest.raises(ValueError, match=r"within 1\.7e308 cells"):
+        engine.run(arm, 5, math.inf, log, journal, rng)
+    assert (len(log), list(events_of(journal.events(0)))) == (1, [(RUN, 1, "raised")])
+    # Again nothing is recorded.
+    with pytest.raises(ValueError, match="motor_space must have length 2, got 3"):
+        engine.run(db.PlanarArm(2), 5, math.inf, log, journal, rng)
+    assert (len(log), journal.size) == (1, 1)

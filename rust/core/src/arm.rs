@@ -165,8 +165,8 @@ impl PlanarArm {
             return Ok(());
         }
         check_finite(name, angles, self.joints)?;
-        let must_be = || format!("within the joint's limit of +-{:?} radians", self.limit);
-        check_each(name, angles, self.joints, |angle| angle.abs() <= self.limit, must_be)
+        let must_be = format_args!("within the joint's limit of +-{:?} radians", self.limit);
+        check_each(name, angles, self.joints, must_be, |angle| angle.abs() <= self.limit)
     }
 }
 

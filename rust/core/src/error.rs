@@ -1,6 +1,6 @@
 //! What can be wrong with an argument, with the values needed to say so.
 
-use std::fmt;
+use std::fmt::{self, Display};
 
 /// An argument that a kernel cannot work with. Nothing has changed when one is returned.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,7 +110,7 @@ pub(crate) fn check_each(
     name: &'static str,
     values: &[f64],
     row: usize,
-    must_be: &str,
+    must_be: impl Display,
     fits: impl Fn(f64) -> bool,
 ) -> Result<(), Error> {
     match values.iter().position(|&value| !fits(value)) {
@@ -118,7 +118,7 @@ pub(crate) fn check_each(
         Some(index) => Err(Error::Element {
             name,
             at: place(index, row, values.len()),
-            must_be: must_be.to_owned(),
+            must_be: must_be.to_string(),
             got: values[index],
         }),
     }

@@ -1,10 +1,11 @@
-//! Arrays and numbers from Python, checked in one place.
+//! Arrays and numbers from Python, checked in one place; arrays for Python.
 //!
 //! A C-contiguous float64 array is borrowed; anything else that NumPy can read as real
 //! numbers is converted. Booleans, strings, complex numbers and objects are refused.
 
+use numpy::ndarray::Dimension;
 use numpy::{
-    PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray,
+    PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray,
     PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyException, PyOverflowError, PyTypeError, PyValueError};
@@ -12,6 +13,15 @@ use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBool, PyFloat, PyInt, PyList, PyTuple, PyType};
+
+/// Any object.
+pub(crate) type Any<'py> = Bound<'py, PyAny>;
+
+/// A row of numbers.
+pub(crate) type Array1<'py> = Bound<'py, PyArray1<f64>>;
+
+/// Rows of numbers.
+pub(crate) type Array2<'py> = Bound<'py, PyArray2<f64>>;
 
 /// Loads NumPy's C interface, with what Python code that takes.
 ///
@@ -29,7 +39,7 @@ pub(crate) struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
 
 impl<'py> Floats<'py> {
     /// Reads `value`, of any shape.
-    fn read(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Self> {
+    fn read(name: &str, value: &Any<'py>) -> PyResult<Self> {
         if value.is_exact_instance_of::<PyUntypedArray>()
             && let Ok(array) = value.cast::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
@@ -64,75 +74,70 @@ impl<'py> Floats<'py> {
         }
         // C-contiguous, aligned, and a plain array rather than a subclass of it.
         let plain = numpy.call_method1(intern!(py, "require"), (array, "float64", "CAE"))?;
-        match plain.cast::<PyArrayDyn<f64>>() {
-            Ok(array) => borrow(name, array),
-            Err(_) => Err(refused(kind(value))),
-        }
+        borrow(name, plain.cast::<PyArrayDyn<f64>>().map_err(|_| refused(kind(value)))?)
+    }
+
+    /// Reads `value` if its shape fits, or says which it must have.
+    fn shaped(
+        name: &str,
+        value: &Any<'py>,
+        fits: impl Fn(&[usize]) -> bool,
+        must_be: impl Fn() -> String,
+    ) -> PyResult<Self> {
+        let floats = Self::read(name, value)?;
+        let got = match floats.0.shape() {
+            shape if fits(shape) => return Ok(floats),
+            [] => "a single number (put it in a list)".to_owned(),
+            shape => PyTuple::new(value.py(), shape)?.to_string(),
+        };
+        Err(PyValueError::new_err(format!("{name} must have shape {}, got {got}", must_be())))
     }
 
     /// Reads one point: shape (`length`,), or of any length if `length` is None.
-    pub fn point(name: &str, value: &Bound<'py, PyAny>, length: Option<usize>) -> PyResult<Self> {
-        let floats = Self::read(name, value)?;
-        match (floats.0.shape(), length) {
-            ([_], None) => Ok(floats),
-            ([got], Some(length)) if *got == length => Ok(floats),
-            (shape, _) => Err(wrong_shape(name, &point_shape(length), shape)),
-        }
+    pub fn point(name: &str, value: &Any<'py>, length: Option<usize>) -> PyResult<Self> {
+        let fits = |shape: &[usize]| shape.len() == 1 && is_of(shape[0], length);
+        Self::shaped(name, value, fits, || format!("({},)", width_of(length, "dimension")))
     }
 
-    /// Reads one finite point that is not empty, and copies it: see [`as_point`].
-    pub fn finite_point(
-        name: &str,
-        value: &Bound<'py, PyAny>,
-        length: Option<usize>,
-    ) -> PyResult<Vec<f64>> {
-        let values = Self::point(name, value, length)?.copied()?;
+    /// Copies one finite point that is not empty: see [`as_point`].
+    pub fn finite_point(name: &str, value: &Any<'py>, length: Option<usize>) -> PyResult<Vec<f64>> {
+        let values = match plain_floats(value) {
+            Some(values) if is_of(values.len(), length) => values,
+            _ => Self::point(name, value, length)?.copied()?,
+        };
         if values.is_empty() {
             return Err(PyValueError::new_err(format!("{name} must not be empty")));
         }
         if let Some(index) = values.iter().position(|x| !x.is_finite()) {
+            let got = values[index];
             return Err(PyValueError::new_err(format!(
-                "{name}[{index}] must be finite, got {:?}",
-                values[index]
+                "{name}[{index}] must be finite, got {got:?}"
             )));
         }
         Ok(values)
     }
 
     /// Reads many points: shape (n, `length`).
-    pub fn points(name: &str, value: &Bound<'py, PyAny>, length: usize) -> PyResult<Self> {
-        let floats = Self::read(name, value)?;
-        match floats.0.shape() {
-            [_, got] if *got == length => Ok(floats),
-            shape => Err(wrong_shape(name, &format!("(n, {length})"), shape)),
-        }
+    pub fn points(name: &str, value: &Any<'py>, length: usize) -> PyResult<Self> {
+        let fits = |shape: &[usize]| shape.len() == 2 && shape[1] == length;
+        Self::shaped(name, value, fits, || format!("(n, {length})"))
     }
 
     /// Copies many points of one dimension, `length` or any: shape (n, s), and s.
     pub fn any_points(
         name: &str,
-        value: &Bound<'py, PyAny>,
+        value: &Any<'py>,
         length: Option<usize>,
     ) -> PyResult<(Vec<f64>, usize)> {
-        let floats = Self::read(name, value)?;
-        match floats.0.shape() {
-            &[_, got] if got > 0 && length.is_none_or(|length| length == got) => {
-                Ok((floats.copied()?, got))
-            }
-            shape => {
-                let width = length.map_or("s".to_owned(), |length| length.to_string());
-                Err(wrong_shape(name, &format!("(n, {width})"), shape))
-            }
-        }
+        let fits = |shape: &[usize]| shape.len() == 2 && shape[1] > 0 && is_of(shape[1], length);
+        let floats = Self::shaped(name, value, fits, || format!("(n, {})", width_of(length, "s")))?;
+        Ok((floats.copied()?, floats.0.shape()[1]))
     }
 
     /// Reads one point or many: shape (`length`,) or (n, `length`).
-    pub fn either(name: &str, value: &Bound<'py, PyAny>, length: usize) -> PyResult<Self> {
-        let floats = Self::read(name, value)?;
-        match floats.0.shape() {
-            [got] | [_, got] if *got == length => Ok(floats),
-            shape => Err(wrong_shape(name, &format!("({length},) or (n, {length})"), shape)),
-        }
+    pub fn either(name: &str, value: &Any<'py>, length: usize) -> PyResult<Self> {
+        let fits = |shape: &[usize]| matches!(shape, [got] | [_, got] if *got == length);
+        Self::shaped(name, value, fits, || format!("({length},) or (n, {length})"))
     }
 
     /// Whether these are many points rather than one.
@@ -152,9 +157,19 @@ impl<'py> Floats<'py> {
     }
 }
 
+/// Whether a length is the one asked for, if there is one.
+fn is_of(got: usize, length: Option<usize>) -> bool {
+    length.is_none_or(|length| length == got)
+}
+
+/// A length in a message, by this name if it can be any.
+fn width_of(length: Option<usize>, any: &str) -> String {
+    length.map_or(any.to_owned(), |length| length.to_string())
+}
+
 /// The numbers of a list or a tuple of floats, without the detour through NumPy.
-fn plain_floats(value: &Bound<'_, PyAny>) -> Option<Vec<f64>> {
-    let float = |item: Bound<'_, PyAny>| item.cast::<PyFloat>().map(|float| float.value()).ok();
+fn plain_floats(value: &Any<'_>) -> Option<Vec<f64>> {
+    let float = |item: Any<'_>| item.cast::<PyFloat>().map(|float| float.value()).ok();
     if let Ok(list) = value.cast_exact::<PyList>() {
         list.iter().map(float).collect()
     } else if let Ok(tuple) = value.cast_exact::<PyTuple>() {
@@ -165,102 +180,81 @@ fn plain_floats(value: &Bound<'_, PyAny>) -> Option<Vec<f64>> {
 }
 
 fn borrow<'py>(name: &str, array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Floats<'py>> {
-    match array.try_readonly() {
-        Ok(array) => Ok(Floats(array)),
-        Err(error) => Err(PyValueError::new_err(format!("{name} is in use elsewhere: {error}"))),
-    }
-}
-
-fn point_shape(length: Option<usize>) -> String {
-    match length {
-        Some(length) => format!("({length},)"),
-        None => "(dimension,)".to_owned(),
-    }
-}
-
-fn wrong_shape(name: &str, must_be: &str, got: &[usize]) -> PyErr {
-    let got = match got {
-        [] => "a single number (put it in a list)".to_owned(),
-        [one] => format!("({one},)"),
-        _ => format!("({})", got.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
-    };
-    PyValueError::new_err(format!("{name} must have shape {must_be}, got {got}"))
+    let in_use = |error| PyValueError::new_err(format!("{name} is in use elsewhere: {error}"));
+    array.try_readonly().map(Floats).map_err(in_use)
 }
 
 /// The name of a value's type, for a message.
-fn kind(value: &Bound<'_, PyAny>) -> String {
+pub(crate) fn kind(value: &Any<'_>) -> String {
     value.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string())
 }
 
+/// That a value is not of the type that it must be.
+pub(crate) fn wrong_type(name: &str, must_be: &str, value: &Any<'_>) -> PyErr {
+    PyTypeError::new_err(format!("{name} must be {must_be}, got {}", kind(value)))
+}
+
 /// Reads a real number: what Python or NumPy registers as one, except booleans.
-pub(crate) fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+pub(crate) fn number(name: &str, value: &Any<'_>) -> PyResult<f64> {
     static REAL: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let py = value.py();
     let is_real = value.is_instance_of::<PyFloat>()
         || (value.is_instance(REAL.import(py, "numbers", "Real")?)?
             && !value.is_instance_of::<PyBool>());
     if !is_real {
-        let got = kind(value);
-        return Err(PyTypeError::new_err(format!("{name} must be a number, got {got}")));
+        return Err(wrong_type(name, "a number", value));
     }
-    value.extract::<f64>().map_err(|error| {
-        if error.is_instance_of::<PyOverflowError>(py) {
-            PyValueError::new_err(format!("{name} must be a finite number, got one too large"))
-        } else {
-            error
-        }
+    value.extract::<f64>().map_err(|error| match error.is_instance_of::<PyOverflowError>(py) {
+        true => PyValueError::new_err(format!("{name} must be a finite number, got one too large")),
+        false => error,
     })
 }
 
 /// Reads a flag: True or False and nothing else that is true or false.
-pub(crate) fn flag(name: &str, value: &Bound<'_, PyAny>) -> PyResult<bool> {
-    match value.cast::<PyBool>() {
-        Ok(flag) => Ok(flag.is_true()),
-        Err(_) => {
-            let got = kind(value);
-            Err(PyTypeError::new_err(format!("{name} must be True or False, got {got}")))
-        }
-    }
+pub(crate) fn flag(name: &str, value: &Any<'_>) -> PyResult<bool> {
+    let flag = value.cast::<PyBool>();
+    Ok(flag.map_err(|_| wrong_type(name, "True or False", value))?.is_true())
 }
 
 /// Reads a count: what Python or NumPy registers as a whole number, except booleans, from 0 on.
-pub(crate) fn count(name: &str, value: &Bound<'_, PyAny>) -> PyResult<usize> {
+pub(crate) fn count(name: &str, value: &Any<'_>) -> PyResult<usize> {
     static INTEGRAL: PyOnceLock<Py<PyType>> = PyOnceLock::new();
-    let py = value.py();
     let is_whole = !value.is_instance_of::<PyBool>()
         && (value.is_instance_of::<PyInt>()
-            || value.is_instance(INTEGRAL.import(py, "numbers", "Integral")?)?);
+            || value.is_instance(INTEGRAL.import(value.py(), "numbers", "Integral")?)?);
     if !is_whole {
-        let got = kind(value);
-        return Err(PyTypeError::new_err(format!("{name} must be a whole number, got {got}")));
+        return Err(wrong_type(name, "a whole number", value));
     }
-    value.extract::<usize>().map_err(|_| {
-        PyValueError::new_err(format!(
-            "{name} must be at least 0 and fit a machine word, got {value}"
-        ))
-    })
+    let must_be = "at least 0 and fit a machine word";
+    let refused = |_| PyValueError::new_err(format!("{name} must be {must_be}, got {value}"));
+    value.extract().map_err(refused)
 }
 
 /// A new array that cannot be written to.
-pub(crate) fn read_only<'py>(
-    py: Python<'py>,
-    values: &[f64],
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let array = PyArray1::from_slice(py, values);
+pub(crate) fn read_only<'py>(py: Python<'py>, values: &[f64]) -> PyResult<Array1<'py>> {
+    locked(PyArray1::from_slice(py, values))
+}
+
+/// The same array, which cannot be written to any more.
+pub(crate) fn locked<D: Dimension>(
+    array: Bound<'_, PyArray<f64, D>>,
+) -> PyResult<Bound<'_, PyArray<f64, D>>> {
     array.try_readwrite()?.make_nonwriteable();
     Ok(array)
 }
 
-/// A new array of rows of this length that cannot be written to; it takes over the numbers given.
-pub(crate) fn read_only_rows(
+/// A new array of rows of this length, which takes over the numbers given.
+pub(crate) fn rows(py: Python<'_>, values: Vec<f64>, row: usize) -> PyResult<Array2<'_>> {
+    let n = values.len().checked_div(row).unwrap_or(0);
+    PyArray1::from_vec(py, values).reshape([n, row])
+}
+
+/// A new array of these rows.
+pub(crate) fn rows_of<const ROW: usize>(
     py: Python<'_>,
-    values: Vec<f64>,
-    row: usize,
-) -> PyResult<Bound<'_, PyArray2<f64>>> {
-    let n = values.len() / row;
-    let array = PyArray1::from_vec(py, values).reshape([n, row])?;
-    array.try_readwrite()?.make_nonwriteable();
-    Ok(array)
+    values: impl IntoIterator<Item = [f64; ROW]>,
+) -> PyResult<Array2<'_>> {
+    rows(py, values.into_iter().flatten().collect(), ROW)
 }
 
 /// A read-only copy of `value` as a finite point in R^length (any length if None).
@@ -292,8 +286,8 @@ pub(crate) fn read_only_rows(
 #[pyo3(signature = (name, value, length=None))]
 pub(crate) fn as_point<'py>(
     name: &str,
-    value: &Bound<'py, PyAny>,
+    value: &Any<'py>,
     length: Option<usize>,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
+) -> PyResult<Array1<'py>> {
     read_only(value.py(), &Floats::finite_point(name, value, length)?)
 }

@@ -1,12 +1,10 @@
 //! Binding of boxes and of the draws made in them.
 
 use divbandit_core::Bounds;
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyList;
 
-use crate::arrays::{Floats, count, number, read_only, read_only_rows};
-use crate::errors::value_error;
+use crate::arrays::{Any, Array1, Array2, Floats, count, locked, number, read_only, rows};
+use crate::errors::Result;
 use crate::random::NumpyStream;
 
 /// The corners of a box, checked once so that draws need not check them again.
@@ -23,101 +21,64 @@ pub(crate) struct PyBounds(pub Bounds);
 #[pymethods]
 impl PyBounds {
     #[new]
-    fn new(low: &Bound<'_, PyAny>, high: &Bound<'_, PyAny>) -> PyResult<Self> {
+    fn new(low: &Any<'_>, high: &Any<'_>) -> Result<Self> {
         let low = Floats::point("low", low, None)?.copied()?;
         let high = Floats::point("high", high, Some(low.len()))?.copied()?;
-        Bounds::new(low, high).map(Self).map_err(value_error)
+        Ok(Self(Bounds::new(low, high)?))
     }
 
     /// The lowest corner, read-only.
     #[getter]
-    fn low<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn low<'py>(&self, py: Python<'py>) -> PyResult<Array1<'py>> {
         read_only(py, self.0.low())
     }
 
     /// The highest corner, read-only.
     #[getter]
-    fn high<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn high<'py>(&self, py: Python<'py>) -> PyResult<Array1<'py>> {
         read_only(py, self.0.high())
     }
 
     /// A point uniform in the box: one draw of `rng` a coordinate, in order.
-    fn sample<'py>(&self, rng: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let point = self.0.sample(&mut NumpyStream::lock(rng)?);
-        read_only(rng.py(), &point)
+    fn sample<'py>(&self, rng: &Any<'py>) -> PyResult<Array1<'py>> {
+        read_only(rng.py(), &self.0.sample(NumpyStream::lock(rng)?.draws()))
     }
 
     /// Points (n, dim) uniform in the box: the same as `n` calls of `sample`.
-    fn sample_many<'py>(
-        &self,
-        n: &Bound<'py, PyAny>,
-        rng: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let n = count("n", n)?;
-        let points = self.0.sample_many(n, &mut NumpyStream::lock(rng)?).map_err(value_error)?;
-        read_only_rows(rng.py(), points, self.0.dim())
+    fn sample_many<'py>(&self, n: &Any<'py>, rng: &Any<'py>) -> Result<Array2<'py>> {
+        let points = self.0.sample_many(count("n", n)?, NumpyStream::lock(rng)?.draws())?;
+        Ok(locked(rows(rng.py(), points, self.0.dim())?)?)
     }
 
     /// Perturb_d: `parent` moved by at most the share `d` of each range, inside the box.
-    fn perturb<'py>(
-        &self,
-        parent: &Bound<'py, PyAny>,
-        d: &Bound<'py, PyAny>,
-        rng: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let parent = Floats::point("parent", parent, Some(self.0.dim()))?;
+    fn perturb<'py>(&self, parent: &Any<'py>, d: &Any<'py>, rng: &Any<'py>) -> Result<Array1<'py>> {
+        let parent = Floats::point("parent", parent, Some(self.0.dim()))?.copied()?;
         let d = number("d", d)?;
-        let command = self
-            .0
-            .perturb(&parent.copied()?, d, &mut NumpyStream::lock(rng)?)
-            .map_err(value_error)?;
-        read_only(rng.py(), &command)
+        let command = self.0.perturb(&parent, d, NumpyStream::lock(rng)?.draws())?;
+        Ok(read_only(rng.py(), &command)?)
+    }
+
+    /// A read-only copy of `command`, which must lie in the box.
+    fn command<'py>(&self, command: &Any<'py>) -> Result<Array1<'py>> {
+        let values = Floats::point("command", command, Some(self.0.dim()))?.copied()?;
+        self.0.check("command", &values)?;
+        Ok(read_only(command.py(), &values)?)
     }
 
     /// A read-only copy of one command (dim,) or of many (n, dim), all of them in the box.
-    fn commands<'py>(&self, command: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    fn commands<'py>(&self, command: &Any<'py>) -> Result<Any<'py>> {
         let floats = Floats::either("command", command, self.0.dim())?;
+        if !floats.is_batch() {
+            return Ok(self.command(command)?.into_any());
+        }
         let values = floats.copied()?;
         for row in values.chunks_exact(self.0.dim()) {
-            self.0.check("command", row).map_err(value_error)?;
+            self.0.check("command", row)?;
         }
-        let copy = read_only(command.py(), &values)?;
-        if !floats.is_batch() {
-            return Ok(copy.into_any());
-        }
-        Ok(copy.reshape([values.len() / self.0.dim(), self.0.dim()])?.into_any())
-    }
-
-    /// The commands of a list, each of them an array (dim,) of floats in the box, as the rows of one
-    /// read-only array; None if there is anything else in it.
-    fn gather<'py>(
-        &self,
-        commands: &Bound<'py, PyList>,
-    ) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
-        let dim = self.0.dim();
-        let mut values = Vec::with_capacity(commands.len() * dim);
-        for command in commands {
-            let Ok(array) = command.cast::<PyArray1<f64>>() else { return Ok(None) };
-            let Ok(array) = array.try_readonly() else { return Ok(None) };
-            let Ok(row) = array.as_slice() else { return Ok(None) };
-            if self.0.check("command", row).is_err() {
-                return Ok(None);
-            }
-            values.extend_from_slice(row);
-        }
-        let rows = read_only(commands.py(), &values)?.reshape([commands.len(), dim])?;
-        Ok(Some(rows))
+        Ok(locked(rows(command.py(), values, self.0.dim())?)?.into_any())
     }
 
     fn __getnewargs__(&self) -> (Vec<f64>, Vec<f64>) {
         (self.0.low().to_vec(), self.0.high().to_vec())
-    }
-
-    /// A read-only copy of `command`, which must lie in the box.
-    fn command<'py>(&self, command: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let floats = Floats::point("command", command, Some(self.0.dim()))?;
-        let values = floats.copied()?;
-        self.0.check("command", &values).map_err(value_error)?;
-        read_only(command.py(), &values)
     }
 }

@@ -10,11 +10,12 @@ use divbandit_core::{Composition, History};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::errors::value_error;
+use crate::arrays::{Any, kind};
+use crate::errors::Result;
 use crate::estimators::estimator_of;
 use crate::goals::goals_of;
 use crate::inverse::inverse_of;
-use crate::parts::{class_of, field};
+use crate::parts::{class_of, field, made_of};
 use crate::policies::policy_of;
 use crate::rewards::reward_of;
 
@@ -43,105 +44,95 @@ impl<'a> Reader<'a> {
 
     /// The place of a strategy, which is added if it was not before. A [`NotBuiltInError`] says
     /// which part is a user's, `path` being where the strategy stands.
-    pub fn place(&mut self, path: &str, part: &Bound<'_, PyAny>) -> PyResult<usize> {
+    pub fn place(&mut self, path: &str, part: &Any<'_>) -> Result<usize> {
         let key = part.as_ptr() as usize;
         if let Some(&place) = self.places.get(&key) {
             return Ok(place);
         }
         let place = match class_of(part)?.as_deref() {
             Some("MotorBabbling") => self.composition.add(MotorBabbling),
-            Some("GoalBabbling") => self.goal_babbling(path, part)?,
+            Some("GoalBabbling") => {
+                let goals = read(goals_of, part, "sampler", path, "goals")?;
+                let inverse = read(inverse_of, part, "model", path, "inverse")?;
+                self.composition.add(GoalBabbling::new(goals, inverse))
+            }
             Some("Mixture") => {
                 let parts = self.places_of(path, part)?;
-                let mixture = Mixture::new(field(part, "weights")?).map_err(value_error)?;
-                self.composition.compose(mixture, parts).map_err(value_error)?
+                self.composition.compose(made_of!(part, Mixture::new(weights))?, parts)?
             }
             Some("Schedule") => self.schedule(path, part)?,
             Some("Adapt") => {
-                let estimator = EstimatorKind::Window {
-                    size: field(part, "window")?,
-                    head_start: field(part, "head_start")?,
-                };
-                let policy = PolicyKind::Proportional {
-                    alpha: field(part, "alpha")?,
-                    power: field(part, "power")?,
-                };
-                self.bandit(path, part, estimator, policy)?
+                let (size, head_start) = (field(part, "window")?, field(part, "head_start")?);
+                let policy = made_of!(part, PolicyKind::Proportional { alpha, power });
+                self.bandit(path, part, EstimatorKind::Window { size, head_start }, policy)?
             }
             Some("Bandit") => {
-                let (estimator, policy) = (part.getattr("estimator")?, part.getattr("policy")?);
-                let known = estimator_of(&estimator)?;
-                let estimator = ours(known, &format!("{path}.estimator"), &estimator)?;
-                let policy = ours(policy_of(&policy)?, &format!("{path}.policy"), &policy)?;
+                let estimator = read(estimator_of, part, "estimator", path, "estimator")?;
+                let policy = read(policy_of, part, "policy", path, "policy")?;
                 self.bandit(path, part, estimator, policy)?
             }
-            _ => return Err(foreign(path, part)),
+            _ => return Err(foreign(path, part).into()),
         };
         self.places.insert(key, place);
         Ok(place)
     }
 
-    fn goal_babbling(&mut self, path: &str, part: &Bound<'_, PyAny>) -> PyResult<usize> {
-        let (sampler, model) = (part.getattr("sampler")?, part.getattr("model")?);
-        let goals = ours(goals_of(&sampler)?, &format!("{path}.goals"), &sampler)?;
-        let inverse = ours(inverse_of(&model)?, &format!("{path}.inverse"), &model)?;
-        Ok(self.composition.add(GoalBabbling::new(goals, inverse)))
-    }
-
-    fn schedule(&mut self, path: &str, part: &Bound<'_, PyAny>) -> PyResult<usize> {
-        let phases: Vec<(Option<Bound<'_, PyAny>>, Bound<'_, PyAny>)> = field(part, "phases")?;
+    fn schedule(&mut self, path: &str, part: &Any<'_>) -> Result<usize> {
+        let phases: Vec<(Option<Any<'_>>, Any<'_>)> = part.getattr("phases")?.extract()?;
         let (mut steps, mut parts) = (Vec::new(), Vec::new());
         for (index, (count, strategy)) in phases.iter().enumerate() {
             parts.push(self.place(&format!("{path}.phases[{index}]"), strategy)?);
             // A number too large for a machine word is never reached.
-            steps.push(count.as_ref().map_or(MOST_STEPS, |count| {
-                count.extract::<u64>().map_or(MOST_STEPS, |steps| steps.min(MOST_STEPS))
-            }));
+            let steps_of = |count: &Any<'_>| count.extract().unwrap_or(MOST_STEPS).min(MOST_STEPS);
+            steps.push(count.as_ref().map_or(MOST_STEPS, steps_of));
         }
         steps.pop();
-        let schedule = Schedule::new(steps).map_err(value_error)?;
-        self.composition.compose(schedule, parts).map_err(value_error)
+        Ok(self.composition.compose(Schedule::new(steps)?, parts)?)
     }
 
     fn bandit(
         &mut self,
         path: &str,
-        part: &Bound<'_, PyAny>,
+        part: &Any<'_>,
         estimator: EstimatorKind,
         policy: PolicyKind,
-    ) -> PyResult<usize> {
+    ) -> Result<usize> {
         let parts = self.places_of(path, part)?;
         let reward = part.getattr("rewarding")?;
-        let Some(reward) = reward_of(&reward)? else {
-            let path = format!("{path}.reward");
+        let Some(kind) = reward_of(&reward)? else {
             return Err(match class_of(&reward)?.as_deref() {
-                Some("Gain") => foreign(&format!("{path}.measure"), &reward.getattr("measure")?),
-                _ => foreign(&path, &reward),
-            });
+                Some("Gain") => {
+                    foreign(&format!("{path}.reward.measure"), &reward.getattr("measure")?)
+                }
+                _ => foreign(&format!("{path}.reward"), &reward),
+            }
+            .into());
         };
         let dim = self.history.effect_dim();
-        let bandit =
-            Bandit::new(parts.len(), reward, estimator, policy, dim).map_err(value_error)?;
-        self.composition.compose(bandit, parts).map_err(value_error)
+        let bandit = Bandit::new(parts.len(), kind, estimator, policy, dim)?;
+        Ok(self.composition.compose(bandit, parts)?)
     }
 
     /// The places of a composite's strategies.
-    fn places_of(&mut self, path: &str, part: &Bound<'_, PyAny>) -> PyResult<Vec<usize>> {
-        let strategies: Vec<Bound<'_, PyAny>> = field(part, "strategies")?;
-        let places = strategies
-            .iter()
-            .enumerate()
-            .map(|(index, each)| self.place(&format!("{path}.strategies[{index}]"), each));
-        places.collect()
+    fn places_of(&mut self, path: &str, part: &Any<'_>) -> Result<Vec<usize>> {
+        let strategies: Vec<Any<'_>> = part.getattr("strategies")?.extract()?;
+        let each = strategies.iter().enumerate();
+        each.map(|(index, each)| self.place(&format!("{path}.strategies[{index}]"), each)).collect()
     }
 }
 
-/// What was read of a part, unless that is a user's.
-fn ours<T>(known: Option<T>, path: &str, part: &Bound<'_, PyAny>) -> PyResult<T> {
-    known.ok_or_else(|| foreign(path, part))
+/// What `kind_of` reads of a field, unless that is a user's part; an error calls it `argument`.
+fn read<T>(
+    kind_of: impl Fn(&Any<'_>) -> Result<Option<T>>,
+    part: &Any<'_>,
+    name: &str,
+    path: &str,
+    argument: &str,
+) -> Result<T> {
+    let field = part.getattr(name)?;
+    kind_of(&field)?.ok_or_else(|| foreign(&format!("{path}.{argument}"), &field).into())
 }
 
-fn foreign(path: &str, part: &Bound<'_, PyAny>) -> PyErr {
-    let kind = part.get_type().name().map_or_else(|_| "object".into(), |name| name.to_string());
-    NotBuiltInError::new_err((path.to_owned(), kind))
+fn foreign(path: &str, part: &Any<'_>) -> PyErr {
+    NotBuiltInError::new_err((path.to_owned(), kind(part)))
 }

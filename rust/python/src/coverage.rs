@@ -1,14 +1,17 @@
 //! Binding of the diversity measure: the kernel that `divbandit.Coverage` is made of.
 
+use divbandit_core::Error;
 use divbandit_core::coverage::{BoundaryArc, Coverage, Estimated, Sampling};
 use divbandit_core::error::check_finite;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::IntoPyArray;
+use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyBool;
 
-use crate::arrays::{Floats, count, flag, number, read_only};
-use crate::errors::value_error;
+use crate::arrays::{
+    Any, Array1, Array2, Floats, count, flag, locked, number, read_only, rows, rows_of,
+};
+use crate::errors::Result;
 
 /// The union of balls that `divbandit.Coverage` is made of.
 #[pyclass(module = "divbandit._core", name = "Coverage", subclass)]
@@ -18,15 +21,10 @@ pub(crate) struct PyCoverage(pub Coverage);
 #[pymethods]
 impl PyCoverage {
     #[new]
-    fn new(
-        tau: &Bound<'_, PyAny>,
-        dim: &Bound<'_, PyAny>,
-        accuracy: &Bound<'_, PyAny>,
-        key: u64,
-    ) -> PyResult<Self> {
+    fn new(tau: &Any<'_>, dim: &Any<'_>, accuracy: &Any<'_>, key: u64) -> Result<Self> {
         let (tau, dim) = (number("tau", tau)?, count("dim", dim)?);
         let sampling = Sampling { accuracy: number("accuracy", accuracy)?, key };
-        Coverage::sampled(tau, dim, sampling).map(Self).map_err(value_error)
+        Ok(Self(Coverage::sampled(tau, dim, sampling)?))
     }
 
     /// Radius of the balls, in the units of the effects.
@@ -79,26 +77,22 @@ impl PyCoverage {
 
     /// All effects in order: shape (n, dim), read-only.
     #[getter]
-    fn effects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let flat = PyArray1::from_slice(py, self.0.effects());
-        let rows = flat.reshape([self.0.len(), self.0.dim()])?;
-        rows.try_readwrite()?.make_nonwriteable();
-        Ok(rows)
+    fn effects<'py>(&self, py: Python<'py>) -> PyResult<Array2<'py>> {
+        locked(rows(py, self.0.effects().to_vec(), self.0.dim())?)
     }
 
     /// The gain of each effect when it was added: shape (n,), read-only.
     #[getter]
-    fn gains<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn gains<'py>(&self, py: Python<'py>) -> PyResult<Array1<'py>> {
         read_only(py, self.0.gains())
     }
 
     /// The standard error of each of `gains`: shape (n,), read-only; zeros where they are exact.
     #[getter]
-    fn standard_errors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        if self.0.is_exact() {
-            return read_only(py, &vec![0.0; self.0.len()]);
-        }
-        read_only(py, self.0.standard_errors())
+    fn standard_errors<'py>(&self, py: Python<'py>) -> PyResult<Array1<'py>> {
+        let mut errors = self.0.standard_errors().to_vec();
+        errors.resize(self.0.len(), 0.0);
+        read_only(py, &errors)
     }
 
     /// Add an effect and return its gain, div_tau(effect, E): the measure that it adds.
@@ -123,9 +117,9 @@ impl PyCoverage {
     /// >>> cov = db.Coverage(0.02)
     /// >>> round(cov.add([0.1, 0.2]), 9)
     /// 0.001256637
-    fn add(&mut self, effect: &Bound<'_, PyAny>) -> PyResult<f64> {
+    fn add(&mut self, effect: &Any<'_>) -> Result<f64> {
         let effect = Floats::point("effect", effect, Some(self.0.dim()))?;
-        self.0.add(effect.copied()?).map_err(value_error)
+        Ok(self.0.add(effect.copied()?)?)
     }
 
     /// Add effects in order and return the gain of each at its turn.
@@ -150,18 +144,14 @@ impl PyCoverage {
     /// >>> import divbandit as db
     /// >>> db.Coverage(1.0).extend([[0, 0], [0, 0], [9, 9]])
     /// array([3.14159265, 0.        , 3.14159265])
-    fn extend<'py>(
-        &mut self,
-        py: Python<'py>,
-        effects: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let effects = self.points("effects", effects)?;
-        let mut gains = vec![0.0; effects.len() / self.0.dim()];
-        let some = at_once(self.0.dim());
-        for (effects, gains) in effects.chunks(some * self.0.dim()).zip(gains.chunks_mut(some)) {
-            py.detach(|| self.0.extend(effects, gains)).map_err(value_error)?;
-            py.check_signals()?;
-        }
+    fn extend<'py>(&mut self, effects: &Any<'py>) -> Result<Array1<'py>> {
+        let (py, dim) = (effects.py(), self.0.dim());
+        let effects = self.checked("effects", &Floats::points("effects", effects, dim)?)?;
+        let mut gains = Vec::with_capacity(effects.len() / dim);
+        some_at_once(py, &effects, dim, |effect| {
+            gains.push(self.0.add(effect)?);
+            Ok(())
+        })?;
         Ok(gains.into_pyarray(py))
     }
 
@@ -197,32 +187,25 @@ impl PyCoverage {
     #[pyo3(signature = (effect, *, with_error=false))]
     fn gain<'py>(
         &mut self,
-        py: Python<'py>,
-        effect: &Bound<'py, PyAny>,
+        effect: &Any<'py>,
         #[pyo3(from_py_with = with_error)] with_error: bool,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let points = Floats::either("effect", effect, self.0.dim())?;
+    ) -> Result<Any<'py>> {
+        let (py, dim) = (effect.py(), self.0.dim());
+        let points = Floats::either("effect", effect, dim)?;
+        let effects = self.checked("effect", &points)?;
         if !points.is_batch() {
-            let found = self.0.estimate(points.copied()?).map_err(value_error)?;
-            return one(py, found, with_error);
+            return Ok(one(py, self.0.estimate(effects)?, with_error)?);
         }
-        let effects = self.points("effect", effect)?;
         let (mut gains, mut errors) = (Vec::new(), Vec::new());
-        for some in effects.chunks(at_once(self.0.dim()) * self.0.dim()) {
-            py.detach(|| {
-                for effect in some.chunks_exact(self.0.dim()) {
-                    let found = self.0.estimate(effect)?;
-                    gains.push(found.gain);
-                    errors.push(found.standard_error);
-                }
-                Ok(())
-            })
-            .map_err(value_error)?;
-            py.check_signals()?;
-        }
+        some_at_once(py, &effects, dim, |effect| {
+            let found = self.0.estimate(effect)?;
+            gains.push(found.gain);
+            errors.push(found.standard_error);
+            Ok(())
+        })?;
         let gains = gains.into_pyarray(py);
         if with_error {
-            return Ok((gains, errors.into_pyarray(py)).into_pyobject(py)?.into_any());
+            return Ok((gains, errors.into_pyarray(py)).into_bound_py_any(py)?);
         }
         Ok(gains.into_any())
     }
@@ -263,21 +246,12 @@ impl PyCoverage {
     #[pyo3(signature = (index, *, with_error=false))]
     fn contribution<'py>(
         &mut self,
-        py: Python<'py>,
-        index: &Bound<'py, PyAny>,
+        index: &Any<'py>,
         #[pyo3(from_py_with = with_error)] with_error: bool,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let place = match place("index", index, self.0.len())? {
-            Some(place) => place,
-            None => {
-                return Err(PyIndexError::new_err(format!(
-                    "index must be that of one of {} effects, got {index}",
-                    self.0.len()
-                )));
-            }
-        };
-        let found = py.detach(|| self.0.contribution(place)).map_err(value_error)?;
-        one(py, found, with_error)
+    ) -> Result<Any<'py>> {
+        let (py, place) = (index.py(), place(index, self.0.len())?);
+        let found = py.detach(|| self.0.contribution(place))?;
+        Ok(one(py, found, with_error)?)
     }
 
     /// Whether points lie in the union: no farther than tau from some effect.
@@ -302,34 +276,31 @@ impl PyCoverage {
     /// >>> _ = cov.add([0, 0])
     /// >>> cov.contains([1, 0]), cov.contains([[0.5, 0.5], [1, 1]])
     /// (True, array([ True, False]))
-    fn contains<'py>(
-        &mut self,
-        py: Python<'py>,
-        points: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let borrowed = Floats::either("points", points, self.0.dim())?;
-        if !borrowed.is_batch() {
-            let point = borrowed.copied()?;
-            check_finite("points", &point, self.0.dim()).map_err(value_error)?;
-            let inside = self.0.contains(point).map_err(value_error)?;
-            return Ok(PyBool::new(py, inside).to_owned().into_any());
+    fn contains<'py>(&mut self, points: &Any<'py>) -> Result<Any<'py>> {
+        let (py, dim) = (points.py(), self.0.dim());
+        let read = Floats::either("points", points, dim)?;
+        let points = self.checked("points", &read)?;
+        if !read.is_batch() {
+            return Ok(self.0.contains(points)?.into_bound_py_any(py)?);
         }
-        let points = self.points("points", points)?;
-        let inside: Result<Vec<bool>, _> = py.detach(|| {
-            points.chunks_exact(self.0.dim()).map(|point| self.0.contains(point)).collect()
-        });
-        Ok(inside.map_err(value_error)?.into_pyarray(py).into_any())
+        let mut inside = Vec::with_capacity(points.len() / dim);
+        some_at_once(py, &points, dim, |point| {
+            inside.push(self.0.contains(point)?);
+            Ok(())
+        })?;
+        Ok(inside.into_pyarray(py).into_any())
     }
 
     /// The union's boundary, loop by loop, in the plane: for each an array of shape (k, 4) with
     /// the arcs' centre x, centre y, start and end angle; None in other dimensions.
-    fn _boundary<'py>(&self, py: Python<'py>) -> PyResult<Option<Vec<Bound<'py, PyArray2<f64>>>>> {
+    fn _boundary<'py>(&self, py: Python<'py>) -> PyResult<Option<Vec<Array2<'py>>>> {
         let Some(loops) = py.detach(|| self.0.boundary()) else { return Ok(None) };
-        let array = |arcs: &Vec<BoundaryArc>| {
-            let rows = arcs.iter().flat_map(|arc| [arc.x, arc.y, arc.from, arc.to]);
-            PyArray1::from_vec(py, rows.collect()).reshape([arcs.len(), 4])
-        };
-        loops.iter().map(array).collect::<PyResult<_>>().map(Some)
+        let row = |arc: &BoundaryArc| [arc.x, arc.y, arc.from, arc.to];
+        loops
+            .iter()
+            .map(|arcs| rows_of(py, arcs.iter().map(row)))
+            .collect::<PyResult<_>>()
+            .map(Some)
     }
 
     fn __len__(&self) -> usize {
@@ -344,63 +315,75 @@ impl PyCoverage {
     /// Becomes what effects, gains and standard errors were logged of.
     fn _restore(
         &mut self,
-        py: Python<'_>,
-        effects: &Bound<'_, PyAny>,
-        gains: &Bound<'_, PyAny>,
-        standard_errors: &Bound<'_, PyAny>,
-    ) -> PyResult<()> {
-        let effects = self.points("effects", effects)?;
+        effects: &Any<'_>,
+        gains: &Any<'_>,
+        standard_errors: &Any<'_>,
+    ) -> Result<()> {
+        let (py, dim) = (effects.py(), self.0.dim());
+        let effects = self.checked("effects", &Floats::points("effects", effects, dim)?)?;
         let gains = Floats::point("gains", gains, None)?.copied()?;
         let errors = Floats::point("standard_errors", standard_errors, None)?.copied()?;
-        let (tau, dim, sampling) = (self.0.tau(), self.0.dim(), self.0.sampling());
-        let restored =
-            py.detach(|| Coverage::restored(tau, dim, sampling, &effects, &gains, &errors));
-        self.0 = restored.map_err(value_error)?;
+        let (tau, sampling) = (self.0.tau(), self.0.sampling());
+        self.0 = py.detach(|| Coverage::restored(tau, dim, sampling, &effects, &gains, &errors))?;
         Ok(())
     }
 }
 
 impl PyCoverage {
-    /// A copy of many points, checked.
-    fn points(&self, name: &'static str, points: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
-        let points = Floats::points(name, points, self.0.dim())?.copied()?;
-        check_finite(name, &points, self.0.dim()).map_err(value_error)?;
+    /// A copy of finite points.
+    fn checked(&self, name: &'static str, points: &Floats<'_>) -> Result<Vec<f64>> {
+        let points = points.copied()?;
+        check_finite(name, &points, self.0.dim())?;
         Ok(points)
     }
 }
 
-/// How many effects of this dimension to process between checks for Ctrl-C: some milliseconds.
-pub(crate) fn at_once(dim: usize) -> usize {
-    match dim {
+/// Lets `each` see points of this dimension, detached from Python but for a look for Ctrl-C every
+/// few milliseconds.
+pub(crate) fn some_at_once(
+    py: Python<'_>,
+    points: &[f64],
+    dim: usize,
+    mut each: impl FnMut(&[f64]) -> Result<(), Error> + Send,
+) -> Result<()> {
+    let some = match dim {
         1 | 2 => 1000,
         3 => 100,
         _ => 4,
+    };
+    for some in points.chunks(some * dim) {
+        py.detach(|| some.chunks_exact(dim).try_for_each(&mut each))?;
+        py.check_signals()?;
     }
+    Ok(())
 }
 
 /// Reads the argument of this name.
-fn with_error(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+fn with_error(value: &Any<'_>) -> PyResult<bool> {
     flag("with_error", value)
 }
 
 /// A gain alone, or with its standard error.
-fn one(py: Python<'_>, found: Estimated, with_error: bool) -> PyResult<Bound<'_, PyAny>> {
+fn one(py: Python<'_>, found: Estimated, with_error: bool) -> PyResult<Any<'_>> {
     if with_error {
-        return Ok((found.gain, found.standard_error).into_pyobject(py)?.into_any());
+        return (found.gain, found.standard_error).into_bound_py_any(py);
     }
-    Ok(found.gain.into_pyobject(py)?.into_any())
+    found.gain.into_bound_py_any(py)
 }
 
-/// The place that an index into `len` things means, from the end if negative; None if there is
-/// no such place.
-fn place(name: &str, index: &Bound<'_, PyAny>, len: usize) -> PyResult<Option<usize>> {
+/// The place of one of `len` effects, from the end if the index is negative.
+fn place(index: &Any<'_>, len: usize) -> PyResult<usize> {
     let negative = index.lt(0).unwrap_or(false);
-    let from = if negative { count(name, &index.neg()?) } else { count(name, index) };
-    match from {
-        Ok(from_end) if negative => Ok(len.checked_sub(from_end)),
-        Ok(place) => Ok(Some(place).filter(|&place| place < len)),
+    let number = if negative { count("index", &index.neg()?) } else { count("index", index) };
+    let place = match number {
+        Ok(from_end) if negative => len.checked_sub(from_end),
+        Ok(place) => Some(place),
         // Whole, but more than any place.
-        Err(error) if error.is_instance_of::<PyValueError>(index.py()) => Ok(None),
-        Err(error) => Err(error),
-    }
+        Err(error) if error.is_instance_of::<PyValueError>(index.py()) => None,
+        Err(error) => return Err(error),
+    };
+    place.filter(|&place| place < len).ok_or_else(|| {
+        let must_be = format!("index must be that of one of {len} effects");
+        PyIndexError::new_err(format!("{must_be}, got {index}"))
+    })
 }

@@ -7,10 +7,9 @@ use pyo3::prelude::*;
 /// Passes on what is a number, or says which argument led to none.
 fn finite(value: f64, name: &str, must_be: &str, got: f64) -> PyResult<f64> {
     if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(PyValueError::new_err(format!("{name} must be {must_be}, got {got:?}")))
+        return Ok(value);
     }
+    Err(PyValueError::new_err(format!("{name} must be {must_be}, got {got:?}")))
 }
 
 /// e to the power of x, with the same bits on every platform.
@@ -82,9 +81,6 @@ pub(crate) fn power(base: f64, exponent: f64) -> PyResult<f64> {
 /// (0.0, 1.959964)
 #[pyfunction]
 pub(crate) fn normal_quantile(p: f64) -> PyResult<f64> {
-    if 0.0 < p && p < 1.0 {
-        Ok(elementary::normal_quantile(p))
-    } else {
-        Err(PyValueError::new_err(format!("p must be in (0, 1), got {p:?}")))
-    }
+    let value = if 0.0 < p && p < 1.0 { elementary::normal_quantile(p) } else { f64::NAN };
+    finite(value, "p", "in (0, 1)", p)
 }

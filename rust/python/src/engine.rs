@@ -9,10 +9,10 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyString, PyTuple};
 
-use crate::arrays::{count, read_only};
+use crate::arrays::{Any, Floats, count, read_only};
 use crate::composition::Reader;
 use crate::environments::{BlackBox, environment_of};
-use crate::errors::value_error;
+use crate::errors::Result;
 use crate::history::PyHistory;
 use crate::journal::PyJournal;
 use crate::parts::class_of;
@@ -62,11 +62,10 @@ pub(crate) struct PyEngine {
 #[pymethods]
 impl PyEngine {
     #[new]
-    fn new(strategy: &Bound<'_, PyAny>, history: PyRef<'_, PyHistory>) -> PyResult<Self> {
+    fn new(strategy: &Any<'_>, history: PyRef<'_, PyHistory>) -> Result<Self> {
         let mut reader = Reader::new(&history.0);
         let root = reader.place("strategy", strategy)?;
-        let exploration =
-            Exploration::new(reader.composition, root, &history.0).map_err(value_error)?;
+        let exploration = Exploration::new(reader.composition, root, &history.0)?;
         let spare = Proposal::new(history.0.motor_space().dim());
         let tells_probability = class_of(strategy)?.as_deref() == Some("Bandit");
         Ok(Self { exploration, open: HashMap::new(), spare, tells_probability })
@@ -89,8 +88,8 @@ impl PyEngine {
         slf: &Bound<'py, Self>,
         history: &Bound<'py, PyHistory>,
         journal: &Bound<'py, PyJournal>,
-        rng: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyTrial>> {
+        rng: &Any<'py>,
+    ) -> Result<Bound<'py, PyTrial>> {
         let (this, mut log) = (&mut *idle(slf)?, writable(history)?);
         this.propose(&mut log.0, journal, rng)?;
         this.give_out(journal)
@@ -102,18 +101,18 @@ impl PyEngine {
     fn tell(
         slf: &Bound<'_, Self>,
         trial: &Bound<'_, PyTrial>,
-        effect: &Bound<'_, PyAny>,
+        effect: &Any<'_>,
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
-    ) -> PyResult<()> {
+    ) -> Result<()> {
         let number = journal.try_borrow()?.find(trial)?;
-        let mut numbers = Vec::new();
-        BlackBox::read(effect, history.try_borrow()?.0.effect_dim(), &mut numbers)?;
+        let dim = history.try_borrow()?.0.effect_dim();
+        let effect = Floats::finite_point("effect", effect, dim)?;
         let (this, mut log) = (&mut *idle(slf)?, writable(history)?);
         let mut journal = journal.try_borrow_mut()?;
         let proposal = this.open.remove(&number).ok_or_else(unknown)?;
         let known = log.0.len();
-        let told = this.exploration.observe(&mut log.0, &proposal, &numbers);
+        let told = this.exploration.observe(&mut log.0, &proposal, &effect);
         if log.0.len() == known {
             this.open.insert(number, proposal);
         } else {
@@ -123,7 +122,7 @@ impl PyEngine {
                 journal.raised(false);
             }
         }
-        told.map_err(value_error)
+        Ok(told?)
     }
 
     /// Let the strategy learn that a trial has failed.
@@ -133,7 +132,7 @@ impl PyEngine {
         reason: Py<PyString>,
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
-    ) -> PyResult<()> {
+    ) -> Result<()> {
         let this = &mut *idle(slf)?;
         let mut journal = journal.try_borrow_mut()?;
         let number = journal.find(trial)?;
@@ -148,20 +147,20 @@ impl PyEngine {
     /// At least one is made. A trial whose evaluation raises stays under way.
     fn run(
         slf: &Bound<'_, Self>,
-        environment: &Bound<'_, PyAny>,
-        n: &Bound<'_, PyAny>,
+        environment: &Any<'_>,
+        n: &Any<'_>,
         seconds: f64,
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
-        rng: &Bound<'_, PyAny>,
-    ) -> PyResult<()> {
+        rng: &Any<'_>,
+    ) -> Result<()> {
         // Held until it ends: what is called in between cannot ask or tell.
         let this = &mut *idle(slf)?;
         let n = count("n", n)?;
         let end = Duration::try_from_secs_f64(seconds).ok().map(|time| Instant::now() + time);
         match environment_of(environment)? {
             Some(kernel) => {
-                writable(history)?.0.reserve(n).map_err(value_error)?;
+                writable(history)?.0.reserve(n)?;
                 let done = this.run_in_rust(kernel, n, end, history, journal, rng);
                 this.spare.clone_from(this.exploration.newest());
                 done
@@ -174,10 +173,7 @@ impl PyEngine {
     }
 
     /// The trial that `run` evaluated last.
-    fn newest<'py>(
-        &self,
-        journal: &Bound<'py, PyJournal>,
-    ) -> PyResult<Option<Bound<'py, PyTrial>>> {
+    fn newest<'py>(&self, journal: &Bound<'py, PyJournal>) -> Result<Option<Bound<'py, PyTrial>>> {
         let asked = journal.try_borrow()?.asked();
         asked.checked_sub(1).map(|number| self.trial(journal.py(), number)).transpose()
     }
@@ -191,8 +187,8 @@ impl PyEngine {
         effects: PyReadonlyArray2<'_, f64>,
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
-        rng: &Bound<'_, PyAny>,
-    ) -> PyResult<usize> {
+        rng: &Any<'_>,
+    ) -> Result<usize> {
         let this = &mut *idle(slf)?;
         let (m, s) = (commands.dims()[1].max(1), effects.dims()[1].max(1));
         let rows = commands.as_slice()?.chunks_exact(m).zip(effects.as_slice()?.chunks_exact(s));
@@ -217,29 +213,29 @@ impl PyEngine {
         &mut self,
         log: &mut History,
         journal: &Bound<'_, PyJournal>,
-        rng: &Bound<'_, PyAny>,
-    ) -> PyResult<()> {
+        rng: &Any<'_>,
+    ) -> Result<()> {
         // Locked for each step alone: an environment may draw from the same generator.
         let mut stream = NumpyStream::lock(rng)?;
-        let proposed = self.exploration.propose(log, &mut stream, &mut self.spare);
+        let proposed = self.exploration.propose(log, stream.draws(), &mut self.spare);
         if proposed.is_err() {
             journal.try_borrow_mut()?.refused(false);
         }
-        proposed.map_err(value_error)
+        Ok(proposed?)
     }
 
     /// The trial in `spare`.
-    fn trial<'py>(&self, py: Python<'py>, number: usize) -> PyResult<Bound<'py, PyTrial>> {
+    fn trial<'py>(&self, py: Python<'py>, number: usize) -> Result<Bound<'py, PyTrial>> {
         let proposal = &self.spare;
         let goal = proposal.goal().map(|goal| read_only(py, goal)).transpose()?;
         let command = read_only(py, proposal.command())?;
         let path = PyTuple::new(py, proposal.path())?;
         let probability = proposal.probability().filter(|_| self.tells_probability);
-        Bound::new(py, PyTrial::numbered(command, goal, path, probability, number))
+        Ok(Bound::new(py, PyTrial::numbered(command, goal, path, probability, number))?)
     }
 
     /// Notes that the trial in `spare` is under way, and returns it.
-    fn give_out<'py>(&mut self, journal: &Bound<'py, PyJournal>) -> PyResult<Bound<'py, PyTrial>> {
+    fn give_out<'py>(&mut self, journal: &Bound<'py, PyJournal>) -> Result<Bound<'py, PyTrial>> {
         let (py, mut journal) = (journal.py(), journal.try_borrow_mut()?);
         let number = journal.asked();
         let trial = self.trial(py, number)?;
@@ -254,7 +250,7 @@ impl PyEngine {
         effect: &[f64],
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
-    ) -> PyResult<()> {
+    ) -> Result<()> {
         let (log, mut journal) = (&mut writable(history)?.0, journal.try_borrow_mut()?);
         let known = log.len();
         let observed = self.exploration.observe(log, &self.spare, effect);
@@ -262,7 +258,7 @@ impl PyEngine {
         if self.exploration.is_unrewarded() {
             journal.raised(false);
         }
-        observed.map_err(value_error)
+        Ok(observed?)
     }
 
     /// Explores a black box, which is called back for each effect.
@@ -273,17 +269,17 @@ impl PyEngine {
         end: Option<Instant>,
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
-        rng: &Bound<'_, PyAny>,
-    ) -> PyResult<()> {
+        rng: &Any<'_>,
+    ) -> Result<()> {
         let py = history.py();
-        writable(history)?.0.check_room(n).map_err(value_error)?;
-        let mut effect = Vec::new();
+        writable(history)?.0.check_room(n)?;
         for _ in 0..n {
             self.propose(&mut writable(history)?.0, journal, rng)?;
             let dim = history.try_borrow()?.0.effect_dim();
             let known = history.try_borrow()?.0.len();
-            let evaluated = black_box.evaluate(py, self.spare.command(), dim, &mut effect);
-            if let Err(error) = evaluated.and_then(|()| self.observe(&effect, history, journal)) {
+            let evaluated = black_box.effect(py, self.spare.command(), dim).map_err(Into::into);
+            let told = evaluated.and_then(|effect| self.observe(&effect, history, journal));
+            if let Err(error) = told {
                 if history.try_borrow()?.0.len() == known {
                     self.give_out(journal)?;
                 }
@@ -305,8 +301,8 @@ impl PyEngine {
         end: Option<Instant>,
         history: &Bound<'_, PyHistory>,
         journal: &Bound<'_, PyJournal>,
-        rng: &Bound<'_, PyAny>,
-    ) -> PyResult<()> {
+        rng: &Any<'_>,
+    ) -> Result<()> {
         let (py, mut left) = (history.py(), n);
         while left > 0 {
             {
@@ -326,7 +322,7 @@ impl PyEngine {
                 if done.is_err() && self.exploration.is_unrewarded() {
                     journal.raised(false);
                 }
-                done.map_err(value_error)?;
+                done?;
             }
             py.check_signals()?;
             if end.is_some_and(|end| Instant::now() >= end) {

@@ -7,13 +7,13 @@ use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
 
 use crate::arm::PyPlanarArm;
-use crate::arrays::{Floats, read_only};
+use crate::arrays::{Any, Floats, read_only};
 use crate::obstructed_arm::PyObstructedArm;
 use crate::parts::class_of;
 use crate::push_arm::PyPushArm;
 
 /// The library's own environments that exist in Rust; None for all others.
-pub(crate) fn environment_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn Environment>>> {
+pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environment>>> {
     if !matches!(class_of(part)?.as_deref(), Some("PlanarArm" | "PushArm")) {
         return Ok(None);
     }
@@ -31,7 +31,7 @@ pub(crate) fn environment_of(part: &Bound<'_, PyAny>) -> PyResult<Option<Box<dyn
 
 /// A black box in Python, to be called for its effect.
 pub(crate) struct BlackBox<'py> {
-    call: Bound<'py, PyAny>,
+    call: Any<'py>,
     /// Whether it takes the numbers of a command one by one.
     scalars: bool,
     /// Whether it may return a number for an effect of one coordinate.
@@ -40,7 +40,7 @@ pub(crate) struct BlackBox<'py> {
 
 impl<'py> BlackBox<'py> {
     /// Any environment; the function of a `FunctionEnvironment` is called itself.
-    pub fn of(environment: &Bound<'py, PyAny>) -> PyResult<Self> {
+    pub fn of(environment: &Any<'py>) -> PyResult<Self> {
         if class_of(environment)?.as_deref() == Some("FunctionEnvironment")
             && !environment.getattr("vectorized")?.is_truthy()?
         {
@@ -50,55 +50,28 @@ impl<'py> BlackBox<'py> {
         Ok(Self { call: environment.clone(), scalars: false, numbers: false })
     }
 
-    /// Calls it with a command, and reads the effect.
-    pub fn evaluate(
+    /// The effect of a command: a finite point of `dim` coordinates, or of any number of them.
+    pub fn effect(
         &self,
         py: Python<'py>,
         command: &[f64],
         dim: Option<usize>,
-        effect: &mut Vec<f64>,
-    ) -> PyResult<()> {
+    ) -> PyResult<Vec<f64>> {
         let result = if self.scalars {
             self.call.call1(PyTuple::new(py, command)?)?
         } else {
             self.call.call1((read_only(py, command)?,))?
         };
         if self.numbers && (result.is_exact_instance_of::<PyFloat>() || is_number(&result)?) {
-            let number = result.extract::<f64>()?;
-            return Self::read(PyList::new(py, [number])?.as_any(), dim, effect);
+            let number = PyList::new(py, [result.extract::<f64>()?])?;
+            return Floats::finite_point("effect", &number, dim);
         }
-        Self::read(&result, dim, effect)
-    }
-
-    /// Reads an effect as a finite point of `dim` coordinates, or of any number of them.
-    pub fn read(
-        value: &Bound<'_, PyAny>,
-        dim: Option<usize>,
-        effect: &mut Vec<f64>,
-    ) -> PyResult<()> {
-        effect.clear();
-        if let Ok(list) = value.cast_exact::<PyList>() {
-            for number in list {
-                match number.cast_exact::<PyFloat>().map(|number| number.value()) {
-                    Ok(number) if number.is_finite() => effect.push(number),
-                    _ => break,
-                }
-            }
-            if !effect.is_empty()
-                && effect.len() == list.len()
-                && dim.is_none_or(|s| s == list.len())
-            {
-                return Ok(());
-            }
-            effect.clear();
-        }
-        effect.extend(Floats::finite_point("effect", value, dim)?);
-        Ok(())
+        Floats::finite_point("effect", &result, dim)
     }
 }
 
 /// Whether a value is a number, but no boolean: Python's, or a scalar of NumPy.
-fn is_number(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+fn is_number(value: &Any<'_>) -> PyResult<bool> {
     if value.is_exact_instance_of::<PyInt>() {
         return Ok(true);
     }

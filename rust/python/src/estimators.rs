@@ -2,25 +2,18 @@
 
 use divbandit_core::Error;
 use divbandit_core::bandits::estimators::{Estimator, EstimatorKind};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::arrays::{count, number};
-use crate::errors::value_error;
-use crate::parts::{class_of, field};
+use crate::arrays::{Any, count, number};
+use crate::errors::Result;
+use crate::parts::{class_of, made_of, ours};
 
 /// Which estimator a value of the library is; None for a user's.
-pub(crate) fn estimator_of(part: &Bound<'_, PyAny>) -> PyResult<Option<EstimatorKind>> {
+pub(crate) fn estimator_of(part: &Any<'_>) -> Result<Option<EstimatorKind>> {
     Ok(Some(match class_of(part)?.as_deref() {
-        Some("Window") => EstimatorKind::Window {
-            size: field(part, "size")?,
-            head_start: field(part, "head_start")?,
-        },
-        Some("RecentWindow") => EstimatorKind::RecentWindow { size: field(part, "size")? },
-        Some("Discounted") => EstimatorKind::Discounted {
-            gamma: field(part, "gamma")?,
-            head_start: field(part, "head_start")?,
-        },
+        Some("Window") => made_of!(part, EstimatorKind::Window { size, head_start }),
+        Some("RecentWindow") => made_of!(part, EstimatorKind::RecentWindow { size }),
+        Some("Discounted") => made_of!(part, EstimatorKind::Discounted { gamma, head_start }),
         Some("WholePast") => EstimatorKind::WholePast,
         _ => return Ok(None),
     }))
@@ -56,20 +49,9 @@ pub(crate) struct PyEstimator(pub Box<dyn Estimator>);
 #[pymethods]
 impl PyEstimator {
     #[new]
-    fn new(
-        value: &Bound<'_, PyAny>,
-        parts: &Bound<'_, PyAny>,
-        largest: &Bound<'_, PyAny>,
-    ) -> PyResult<Self> {
-        let Some(kind) = estimator_of(value)? else {
-            let got = value.get_type();
-            return Err(PyTypeError::new_err(format!(
-                "value must be an estimator of the library, got {}",
-                got.name()?
-            )));
-        };
-        let (parts, largest) = (count("parts", parts)?, number("largest", largest)?);
-        kind.start(parts, largest).map(Self).map_err(value_error)
+    fn new(value: &Any<'_>, parts: &Any<'_>, largest: &Any<'_>) -> Result<Self> {
+        let kind = ours(estimator_of(value)?, "an estimator", value)?;
+        Ok(Self(kind.start(count("parts", parts)?, number("largest", largest)?)?))
     }
 
     /// The mean reward of each strategy; 0.0 where none is remembered.
@@ -110,7 +92,7 @@ impl PyEstimator {
     /// >>> estimates.add(1, 3.0)
     /// >>> estimates.means
     /// [0.0, 3.0]
-    fn add(&mut self, part: &Bound<'_, PyAny>, reward: &Bound<'_, PyAny>) -> PyResult<()> {
+    fn add(&mut self, part: &Any<'_>, reward: &Any<'_>) -> Result<()> {
         let part = part_of(part, self.0.means().len())?;
         self.0.add(part, finite("reward", reward)?);
         Ok(())
@@ -122,20 +104,19 @@ impl PyEstimator {
 }
 
 /// Reads the index of one of so many parts.
-pub(crate) fn part_of(part: &Bound<'_, PyAny>, parts: usize) -> PyResult<usize> {
-    let part = count("part", part)?;
-    if part < parts {
-        return Ok(part);
+pub(crate) fn part_of(part: &Any<'_>, parts: usize) -> Result<usize> {
+    let got = count("part", part)?;
+    if got < parts {
+        return Ok(got);
     }
-    let must_be = format!("from 0 to {}", parts - 1);
-    Err(value_error(Error::Count { name: "part", must_be, got: part }))
+    Err(Error::Count { name: "part", must_be: format!("from 0 to {}", parts - 1), got }.into())
 }
 
 /// Reads a finite number.
-pub(crate) fn finite(name: &'static str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+pub(crate) fn finite(name: &'static str, value: &Any<'_>) -> Result<f64> {
     let got = number(name, value)?;
     if got.is_finite() {
         return Ok(got);
     }
-    Err(value_error(Error::Number { name, must_be: "finite", got }))
+    Err(Error::Number { name, must_be: "finite", got }.into())
 }

@@ -3,25 +3,23 @@
 use divbandit_core::History;
 use divbandit_core::error::check_finite;
 use divbandit_core::history::Log;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arrays::{Floats, read_only_rows};
+use crate::arrays::{Any, Array2, Floats, locked, rows, wrong_type};
 use crate::bounds::PyBounds;
-use crate::errors::value_error;
+use crate::errors::Result;
 use crate::kdtree::found;
 
-/// Rows of numbers, and of indices.
-type Rows<'py, T> = Bound<'py, PyArray2<T>>;
-
 /// Commands and effects.
-type Points<'py> = (Rows<'py, f64>, Rows<'py, f64>);
+type Points<'py> = (Array2<'py>, Array2<'py>);
 
 /// Commands (if kept), effects, paths and, of a bandit, estimates: an array each.
-type Arrays<'py> = (Option<Rows<'py, f64>>, Rows<'py, f64>, Rows<'py, i64>, Option<Rows<'py, f64>>);
+type Arrays<'py> =
+    (Option<Array2<'py>>, Array2<'py>, Bound<'py, PyArray2<i64>>, Option<Array2<'py>>);
 
 /// The log of an exploration, and the k-d tree of its effects.
 ///
@@ -47,15 +45,15 @@ impl PyHistory {
     fn new(
         motor_space: &Bound<'_, PyBounds>,
         sensory_space: Option<&Bound<'_, PyBounds>>,
-    ) -> PyResult<Self> {
+    ) -> Result<Self> {
         let (m, s) = (&motor_space.get().0, sensory_space.map(|space| space.get().0.clone()));
-        History::new(m.clone(), s, true, 0).map(Self).map_err(value_error)
+        Ok(Self(History::new(m.clone(), s, true, 0)?))
     }
 
     /// Decide, while nothing has been tried, whether commands are kept or forgotten as soon as they
     /// are recorded, and how many estimates are logged with each step.
-    fn begin(&mut self, keeps_commands: bool, width: usize) -> PyResult<()> {
-        self.0.begin(keeps_commands, width).map_err(value_error)
+    fn begin(&mut self, keeps_commands: bool, width: usize) -> Result<()> {
+        Ok(self.0.begin(keeps_commands, width)?)
     }
 
     /// Whether commands are kept, and not forgotten as soon as they are recorded.
@@ -73,23 +71,23 @@ impl PyHistory {
     /// Record one evaluation, who proposed it, and the bandit's estimates.
     fn record(
         &mut self,
-        command: &Bound<'_, PyAny>,
-        effect: &Bound<'_, PyAny>,
+        command: &Any<'_>,
+        effect: &Any<'_>,
         path: Vec<u32>,
         estimates: Option<Vec<f64>>,
-    ) -> PyResult<()> {
+    ) -> Result<()> {
         let command = Floats::point("command", command, Some(self.0.motor_space().dim()))?;
         let effect = Floats::point("effect", effect, self.0.effect_dim())?;
         let estimates = estimates.unwrap_or_default();
-        self.0.record(command.slice()?, effect.slice()?, &path, &estimates).map_err(value_error)
+        Ok(self.0.record(command.slice()?, effect.slice()?, &path, &estimates)?)
     }
 
     /// Check evaluations made elsewhere: both arrays, and the dimension of the effects.
     fn checked<'py>(
         &self,
-        commands: &Bound<'py, PyAny>,
-        effects: &Bound<'py, PyAny>,
-    ) -> PyResult<(Points<'py>, Option<usize>)> {
+        commands: &Any<'py>,
+        effects: &Any<'py>,
+    ) -> Result<(Points<'py>, Option<usize>)> {
         let (py, m) = (commands.py(), self.0.motor_space().dim());
         let commands = Floats::points("commands", commands, m)?.copied()?;
         let (effects, s) = Floats::any_points("effects", effects, self.0.effect_dim())?;
@@ -98,83 +96,69 @@ impl PyHistory {
                 PyValueError::new_err(format!("row {row} of commands: {error}"))
             })?;
         }
-        check_finite("effects", &effects, s).map_err(value_error)?;
-        let n = commands.len() / m;
-        if effects.len() != n * s {
-            let got = effects.len() / s.max(1);
-            return Err(PyValueError::new_err(format!(
-                "effects must be as many as the commands, {n}, got {got}"
-            )));
+        check_finite("effects", &effects, s)?;
+        let (n, got) = (commands.len() / m, effects.len() / s);
+        if got != n {
+            let must_be = format!("effects must be as many as the commands, {n}");
+            return Err(PyValueError::new_err(format!("{must_be}, got {got}")).into());
         }
-        let both = (read_only_rows(py, commands, m)?, read_only_rows(py, effects, s)?);
+        let both = (locked(rows(py, commands, m)?)?, locked(rows(py, effects, s)?)?);
         Ok((both, (n > 0).then_some(s)))
     }
 
     /// Record evaluations that were checked: all, or none.
-    fn extend(&mut self, points: Points<'_>) -> PyResult<()> {
-        let (commands, effects) = (points.0.try_readonly(), points.1.try_readonly());
-        let used = |error| PyValueError::new_err(format!("an array is in use elsewhere: {error}"));
-        let (commands, effects) = (commands.map_err(used)?, effects.map_err(used)?);
-        let (m, s) = (self.0.motor_space().dim(), effects.dims()[1].max(1));
-        let rows = commands.as_slice()?.chunks_exact(m).zip(effects.as_slice()?.chunks_exact(s));
-        self.0.reserve(rows.len()).map_err(value_error)?;
-        for (command, effect) in rows {
-            self.0.record(command, effect, &[], &[]).map_err(value_error)?;
+    fn extend(&mut self, points: (Any<'_>, Any<'_>)) -> Result<()> {
+        let m = self.0.motor_space().dim();
+        let commands = Floats::points("commands", &points.0, m)?;
+        let (effects, s) = Floats::any_points("effects", &points.1, self.0.effect_dim())?;
+        let pairs = commands.slice()?.chunks_exact(m).zip(effects.chunks_exact(s));
+        self.0.reserve(pairs.len())?;
+        for (command, effect) in pairs {
+            self.0.record(command, effect, &[], &[])?;
         }
         Ok(())
     }
 
     /// The effects nearest to a goal: as `NearestNeighbors.nearest` finds them.
-    fn nearest<'py>(
-        &mut self,
-        py: Python<'py>,
-        goal: &Bound<'py, PyAny>,
-        k: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let observed = self.0.observed().map_err(value_error)?;
-        found(py, observed.effects, "goal", goal, Some(k))
+    fn nearest<'py>(&mut self, goal: &Any<'py>, k: &Any<'py>) -> Result<Any<'py>> {
+        found(self.0.observed()?.effects, "goal", goal, Some(k))
     }
 
     /// The commands from a row on, copied.
-    fn commands_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Rows<'py, f64>> {
-        rows(py, self.0.commands(), self.0.motor_space().dim(), first)
+    fn commands_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Array2<'py>> {
+        rows_from(py, self.0.commands(), self.0.motor_space().dim(), first)
     }
 
     /// The effects from a row on, copied.
-    fn effects_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Rows<'py, f64>> {
-        rows(py, self.0.effects(), self.0.effect_dim().unwrap_or(0), first)
+    fn effects_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Array2<'py>> {
+        rows_from(py, self.0.effects(), self.0.effect_dim().unwrap_or(0), first)
     }
 
     /// The paths from a row on.
     fn paths_from<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Vec<Bound<'py, PyTuple>>> {
         let (paths, ends) = self.0.paths();
         let mut row = Vec::new();
-        let ends = ends.get(first..).unwrap_or_default();
-        ends.iter()
-            .map(|&end| {
-                row.resize(paths.length(end), 0);
-                paths.write(end, &mut row);
-                PyTuple::new(py, &row)
-            })
-            .collect()
+        let path = |&end: &u32| {
+            row.resize(paths.length(end), 0);
+            paths.write(end, &mut row);
+            PyTuple::new(py, &row)
+        };
+        ends.get(first..).unwrap_or_default().iter().map(path).collect()
     }
 
     /// Copies of all that was logged: commands, effects, paths, estimates.
-    fn arrays<'py>(&self, py: Python<'py>, keep_commands: bool) -> PyResult<Arrays<'py>> {
+    fn arrays<'py>(&self, py: Python<'py>, keep_commands: bool) -> Result<Arrays<'py>> {
         // Attached to Python all the while: an exploration in another thread may want to write.
-        let log = self.0.clone().into_log().map_err(value_error)?;
-        self.as_arrays(py, log, self.0.effect_dim(), keep_commands)
+        arrays_of(py, self.0.clone(), keep_commands)
     }
 
     /// All that was logged, without copies: the log is empty then.
-    fn take<'py>(&mut self, py: Python<'py>, keep_commands: bool) -> PyResult<Arrays<'py>> {
+    fn take<'py>(&mut self, py: Python<'py>, keep_commands: bool) -> Result<Arrays<'py>> {
         let (space, goals) = (self.0.motor_space().clone(), self.0.sensory_space().cloned());
         let width = self.0.estimates().1;
-        let empty =
-            History::new(space, goals, self.0.keeps_commands(), width).map_err(value_error)?;
-        let dim = self.0.effect_dim();
-        let log = std::mem::replace(&mut self.0, empty).into_log().map_err(value_error)?;
-        self.as_arrays(py, log, dim, keep_commands)
+        let empty = History::new(space, goals, self.0.keeps_commands(), width)?;
+        let history = std::mem::replace(&mut self.0, empty);
+        arrays_of(py, history, keep_commands)
     }
 
     fn __len__(&self) -> usize {
@@ -182,47 +166,35 @@ impl PyHistory {
     }
 }
 
-impl PyHistory {
-    /// A log of effects of this dimension as arrays; its other widths are those of this history.
-    fn as_arrays<'py>(
-        &self,
-        py: Python<'py>,
-        log: Log,
-        effect_dim: Option<usize>,
-        keep_commands: bool,
-    ) -> PyResult<Arrays<'py>> {
-        let (n, m, width) = (log.len, self.0.motor_space().dim(), self.0.estimates().1);
-        let s = effect_dim.unwrap_or(0);
-        let array = |numbers: Vec<f64>, width: usize| numbers.into_pyarray(py).reshape([n, width]);
-        Ok((
-            if keep_commands { Some(array(log.commands, m)?) } else { None },
-            array(log.effects, s)?,
-            PyArray1::from_vec(py, log.paths).reshape([n, log.depth])?,
-            if width > 0 { Some(array(log.estimates, width)?) } else { None },
-        ))
-    }
+/// The log of a history as arrays.
+fn arrays_of(py: Python<'_>, history: History, keep_commands: bool) -> Result<Arrays<'_>> {
+    let (m, width) = (history.motor_space().dim(), history.estimates().1);
+    let s = history.effect_dim().unwrap_or(0);
+    let Log { len, commands, effects, paths, depth, estimates } = history.into_log()?;
+    Ok((
+        keep_commands.then(|| rows(py, commands, m)).transpose()?,
+        rows(py, effects, s)?,
+        PyArray1::from_vec(py, paths).reshape([len, depth])?,
+        (width > 0).then(|| rows(py, estimates, width)).transpose()?,
+    ))
 }
 
 /// The log of a history, which is one itself or has it as `_log`.
-pub(crate) fn log_of<'py>(history: &Bound<'py, PyAny>) -> PyResult<PyRefMut<'py, PyHistory>> {
+pub(crate) fn log_of<'py>(history: &Any<'py>) -> PyResult<PyRefMut<'py, PyHistory>> {
     if let Ok(log) = history.cast::<PyHistory>() {
         return Ok(log.try_borrow_mut()?);
     }
-    let refused = || {
-        let got = history.get_type().name().map_or_else(|_| "an object".into(), |n| n.to_string());
-        PyTypeError::new_err(format!("history must be a History, got {got}"))
-    };
+    let refused = || wrong_type("history", "a History", history);
     let log = history.getattr(intern!(history.py(), "_log")).map_err(|_| refused())?;
     Ok(log.cast::<PyHistory>().map_err(|_| refused())?.try_borrow_mut()?)
 }
 
 /// Rows of `width` numbers from row `first` on, copied.
-fn rows<'py>(
+fn rows_from<'py>(
     py: Python<'py>,
     numbers: &[f64],
     width: usize,
     first: usize,
-) -> PyResult<Rows<'py, f64>> {
-    let rest = numbers.get(first.saturating_mul(width)..).unwrap_or_default();
-    PyArray1::from_slice(py, rest).reshape([rest.len().checked_div(width).unwrap_or(0), width])
+) -> PyResult<Array2<'py>> {
+    rows(py, numbers.get(first.saturating_mul(width)..).unwrap_or_default().to_vec(), width)
 }

@@ -2,10 +2,11 @@
 
 use divbandit_core::NearestNeighbors;
 use numpy::IntoPyArray;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::arrays::{Floats, count};
-use crate::errors::value_error;
+use crate::arrays::{Any, Floats, count};
+use crate::errors::Result;
 
 /// Points in R^dim, searched exactly for the nearest: a k-d tree that grows.
 ///
@@ -39,8 +40,8 @@ pub(crate) struct PyNearestNeighbors(pub NearestNeighbors);
 #[pymethods]
 impl PyNearestNeighbors {
     #[new]
-    fn new(dim: &Bound<'_, PyAny>) -> PyResult<Self> {
-        NearestNeighbors::new(count("dim", dim)?).map(Self).map_err(value_error)
+    fn new(dim: &Any<'_>) -> Result<Self> {
+        Ok(Self(NearestNeighbors::new(count("dim", dim)?)?))
     }
 
     /// Dimension of the points.
@@ -67,9 +68,9 @@ impl PyNearestNeighbors {
     /// >>> tree.add([0.5])
     /// >>> tree.nearest([0.25])
     /// (0.25, 0)
-    fn add(&mut self, point: &Bound<'_, PyAny>) -> PyResult<()> {
+    fn add(&mut self, point: &Any<'_>) -> Result<()> {
         let point = Floats::point("point", point, Some(self.0.dim()))?;
-        self.0.add(&point.copied()?).map_err(value_error)
+        Ok(self.0.add(&point.copied()?)?)
     }
 
     /// Add points in order; none of them if one cannot be added.
@@ -90,10 +91,9 @@ impl PyNearestNeighbors {
     /// >>> tree.extend([[0, 0, 0], [0, 0, 1]])
     /// >>> len(tree)
     /// 2
-    fn extend(&mut self, py: Python<'_>, points: &Bound<'_, PyAny>) -> PyResult<()> {
-        let points = Floats::points("points", points, self.0.dim())?;
-        let points = points.copied()?;
-        py.detach(|| self.0.extend(&points)).map_err(value_error)
+    fn extend(&mut self, py: Python<'_>, points: &Any<'_>) -> Result<()> {
+        let points = Floats::points("points", points, self.0.dim())?.copied()?;
+        Ok(py.detach(|| self.0.extend(&points))?)
     }
 
     /// The nearest points to `query`.
@@ -125,13 +125,8 @@ impl PyNearestNeighbors {
     /// >>> tree.nearest([1], k=2)
     /// (array([1., 2.]), array([0, 1]))
     #[pyo3(signature = (query, *, k=None), text_signature = "($self, query, *, k=1)")]
-    fn nearest<'py>(
-        &self,
-        py: Python<'py>,
-        query: &Bound<'py, PyAny>,
-        k: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        found(py, &self.0, "query", query, k)
+    fn nearest<'py>(&self, query: &Any<'py>, k: Option<&Any<'py>>) -> Result<Any<'py>> {
+        found(&self.0, "query", query, k)
     }
 
     fn __len__(&self) -> usize {
@@ -142,7 +137,7 @@ impl PyNearestNeighbors {
         self.clone()
     }
 
-    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+    fn __deepcopy__(&self, _memo: &Any<'_>) -> Self {
         self.clone()
     }
 
@@ -153,21 +148,18 @@ impl PyNearestNeighbors {
 
 /// The points of a tree nearest to what an error calls `name`: one, or `k` as arrays.
 pub(crate) fn found<'py>(
-    py: Python<'py>,
     tree: &NearestNeighbors,
     name: &str,
-    query: &Bound<'py, PyAny>,
-    k: Option<&Bound<'py, PyAny>>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let query = Floats::finite_point(name, query, Some(tree.dim()))?;
+    query: &Any<'py>,
+    k: Option<&Any<'py>>,
+) -> Result<Any<'py>> {
+    let (py, point) = (query.py(), Floats::finite_point(name, query, Some(tree.dim()))?);
     let k = k.map_or(Ok(1), |k| count("k", k))?;
     if k == 1 {
-        let found = tree.nearest(&query).map_err(value_error)?;
-        return Ok(found.into_pyobject(py)?.into_any());
+        return Ok(tree.nearest(&point)?.into_bound_py_any(py)?);
     }
-    let found = tree.nearest_k(&query, k).map_err(value_error)?;
-    let distances: Vec<f64> = found.iter().map(|&(distance, _)| distance).collect();
-    let indices: Vec<i64> = found.iter().map(|&(_, index)| index as i64).collect();
-    let found = (distances.into_pyarray(py), indices.into_pyarray(py));
-    Ok(found.into_pyobject(py)?.into_any())
+    let found =
+        tree.nearest_k(&point, k)?.into_iter().map(|(distance, index)| (distance, index as i64));
+    let (distances, indices): (Vec<f64>, Vec<i64>) = found.unzip();
+    Ok((distances.into_pyarray(py), indices.into_pyarray(py)).into_bound_py_any(py)?)
 }

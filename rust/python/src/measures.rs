@@ -1,50 +1,30 @@
 //! Binding of the measures of diversity: from a value in Python to what runs.
 
 use divbandit_core::error::check_finite;
-use divbandit_core::measures::{Measure, MeasureKind, PerCoordinate};
-use numpy::{IntoPyArray, PyArray1};
-use pyo3::exceptions::PyTypeError;
+use divbandit_core::measures::{Measure, MeasureKind};
+use numpy::IntoPyArray;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::arrays::{Floats, count};
-use crate::coverage::at_once;
-use crate::errors::value_error;
-use crate::parts::{class_of, field, library_class_of};
+use crate::arrays::{Any, Array1, Floats, count};
+use crate::coverage::some_at_once;
+use crate::errors::Result;
+use crate::parts::{class_of, library_class_of, made_of, ours};
 
 /// Which measure a part is; None for one that a user defined.
-pub(crate) fn measure_of(part: &Bound<'_, PyAny>) -> PyResult<Option<MeasureKind>> {
-    match class_of(part)? {
-        Some(class) => kind_of(&class, part),
-        None => Ok(None),
-    }
+pub(crate) fn measure_of(part: &Any<'_>) -> Result<Option<MeasureKind>> {
+    kind_of(class_of(part)?, part)
 }
 
 /// Which measure a part of this class is; None if it is none of the library's.
-fn kind_of(class: &str, part: &Bound<'_, PyAny>) -> PyResult<Option<MeasureKind>> {
-    Ok(Some(match class {
-        "BallCoverage" => {
-            MeasureKind::Balls { tau: field(part, "tau")?, accuracy: field(part, "accuracy")? }
-        }
-        "GridCoverage" => MeasureKind::Grid {
-            cell: per_coordinate(part, "cell")?,
-            origin: per_coordinate(part, "origin")?,
-        },
-        "Sparseness" => MeasureKind::Sparseness { k: field(part, "k")? },
-        "Entropy" => MeasureKind::Entropy {
-            cell: per_coordinate(part, "cell")?,
-            origin: per_coordinate(part, "origin")?,
-        },
+fn kind_of(class: Option<String>, part: &Any<'_>) -> Result<Option<MeasureKind>> {
+    Ok(Some(match class.as_deref() {
+        Some("BallCoverage") => made_of!(part, MeasureKind::Balls { tau, accuracy }),
+        Some("GridCoverage") => made_of!(part, MeasureKind::Grid { cell, origin }),
+        Some("Sparseness") => made_of!(part, MeasureKind::Sparseness { k }),
+        Some("Entropy") => made_of!(part, MeasureKind::Entropy { cell, origin }),
         _ => return Ok(None),
     }))
-}
-
-/// The field `name` of a part: a number, or a tuple of one for each coordinate.
-fn per_coordinate(part: &Bound<'_, PyAny>, name: &str) -> PyResult<PerCoordinate> {
-    let value = part.getattr(name)?;
-    if let Ok(number) = value.extract() {
-        return Ok(PerCoordinate::All(number));
-    }
-    value.extract().map(PerCoordinate::Each)
 }
 
 /// A running measure: the diversity of the effects that were added to it.
@@ -80,20 +60,10 @@ pub(crate) struct PyMeasure {
 #[pymethods]
 impl PyMeasure {
     #[new]
-    fn new(value: Bound<'_, PyAny>, dim: &Bound<'_, PyAny>) -> PyResult<Self> {
+    fn new(value: Any<'_>, dim: &Any<'_>) -> Result<Self> {
         // A subclass of one of the library's starts the same.
-        let kind = match library_class_of(&value)? {
-            Some(class) => kind_of(&class, &value)?,
-            None => None,
-        };
-        let Some(kind) = kind else {
-            return Err(PyTypeError::new_err(format!(
-                "value must be a measure of the library, got {}",
-                value.get_type().name()?
-            )));
-        };
-        let running = kind.start(count("dim", dim)?).map_err(value_error)?;
-        Ok(Self { value: value.unbind(), running })
+        let kind = ours(kind_of(library_class_of(&value)?, &value)?, "a measure", &value)?;
+        Ok(Self { value: value.unbind(), running: kind.start(count("dim", dim)?)? })
     }
 
     /// Dimension of the effects.
@@ -136,9 +106,9 @@ impl PyMeasure {
     /// >>> grid = GridCoverage(0.5).start(2)
     /// >>> grid.add([0.1, 0.2]), grid.add([0.2, 0.1])
     /// (1.0, 0.0)
-    fn add(&mut self, effect: &Bound<'_, PyAny>) -> PyResult<f64> {
-        let effect = Floats::point("effect", effect, Some(self.running.dim()))?.copied()?;
-        self.check("effect", &effect)?;
+    fn add(&mut self, effect: &Any<'_>) -> Result<f64> {
+        let effect = Floats::point("effect", effect, Some(self.running.dim()))?;
+        let effect = self.checked("effect", &effect)?;
         Ok(self.running.add(&effect))
     }
 
@@ -165,13 +135,9 @@ impl PyMeasure {
     /// >>> from divbandit.measures import Entropy
     /// >>> Entropy(1.0).start(1).extend([[0], [5], [0]]).round(6)
     /// array([ 0.      ,  0.693147, -0.056633])
-    fn extend<'py>(
-        &mut self,
-        py: Python<'py>,
-        effects: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let effects = Floats::points("effects", effects, self.running.dim())?.copied()?;
-        self.check("effects", &effects)?;
+    fn extend<'py>(&mut self, effects: &Any<'py>) -> Result<Array1<'py>> {
+        let (py, points) = (effects.py(), Floats::points("effects", effects, self.running.dim())?);
+        let effects = self.checked("effects", &points)?;
         self.each(py, &effects, |running, effect| running.add(effect))
     }
 
@@ -197,18 +163,13 @@ impl PyMeasure {
     /// >>> grid = GridCoverage(0.5).start(2)
     /// >>> grid.gain([0.1, 0.2]), grid.gain([[0.1, 0.2], [0.2, 0.1]]), len(grid)
     /// (1.0, array([1., 1.]), 0)
-    fn gain<'py>(
-        &mut self,
-        py: Python<'py>,
-        effect: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let points = Floats::either("effect", effect, self.running.dim())?;
-        let (is_batch, effects) = (points.is_batch(), points.copied()?);
-        self.check("effect", &effects)?;
-        if is_batch {
+    fn gain<'py>(&mut self, effect: &Any<'py>) -> Result<Any<'py>> {
+        let (py, points) = (effect.py(), Floats::either("effect", effect, self.running.dim())?);
+        let effects = self.checked("effect", &points)?;
+        if points.is_batch() {
             return Ok(self.each(py, &effects, |running, effect| running.gain(effect))?.into_any());
         }
-        Ok(self.running.gain(&effects).into_pyobject(py)?.into_any())
+        Ok(self.running.gain(&effects).into_bound_py_any(py)?)
     }
 
     fn __len__(&self) -> usize {
@@ -227,11 +188,12 @@ impl PyMeasure {
 }
 
 impl PyMeasure {
-    /// Refuses rows of numbers that are no effects, or cannot be placed.
-    fn check(&self, name: &'static str, effects: &[f64]) -> PyResult<()> {
-        check_finite(name, effects, self.running.dim())
-            .and_then(|()| self.running.check(name, effects))
-            .map_err(value_error)
+    /// Copies points, unless they are no effects or cannot be placed.
+    fn checked(&self, name: &'static str, points: &Floats<'_>) -> Result<Vec<f64>> {
+        let effects = points.copied()?;
+        check_finite(name, &effects, self.running.dim())?;
+        self.running.check(name, &effects)?;
+        Ok(effects)
     }
 
     /// What `found` returns for each of many effects.
@@ -240,16 +202,13 @@ impl PyMeasure {
         py: Python<'py>,
         effects: &[f64],
         found: impl Fn(&mut dyn Measure, &[f64]) -> f64 + Sync,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let dim = self.running.dim();
-        let mut gains = Vec::with_capacity(effects.len() / dim);
-        for some in effects.chunks(at_once(dim) * dim) {
-            let running = &mut *self.running;
-            py.detach(|| {
-                gains.extend(some.chunks_exact(dim).map(|effect| found(running, effect)));
-            });
-            py.check_signals()?;
-        }
+    ) -> Result<Array1<'py>> {
+        let running = &mut *self.running;
+        let mut gains = Vec::with_capacity(effects.len() / running.dim());
+        some_at_once(py, effects, running.dim(), |effect| {
+            gains.push(found(running, effect));
+            Ok(())
+        })?;
         Ok(gains.into_pyarray(py))
     }
 }

@@ -2,35 +2,27 @@
 
 use divbandit_core::Error;
 use divbandit_core::bandits::policies::{self, Choice, Estimates, Policy, PolicyKind};
-use divbandit_core::error::check_finite;
+use divbandit_core::error::{check_finite, check_length};
 use divbandit_core::strategies;
-use pyo3::exceptions::PyTypeError;
 use pyo3::intern;
 use pyo3::prelude::*;
 
-use crate::arrays::{Floats, count, number};
-use crate::errors::value_error;
+use crate::arrays::{Any, Floats, count, number};
+use crate::errors::Result;
 use crate::estimators::{PyEstimator, finite, part_of};
-use crate::parts::{class_of, field};
+use crate::parts::{class_of, made_of, ours};
 use crate::random::NumpyStream;
 
 /// Which policy a value of the library is; None for a user's.
-pub(crate) fn policy_of(part: &Bound<'_, PyAny>) -> PyResult<Option<PolicyKind>> {
+pub(crate) fn policy_of(part: &Any<'_>) -> Result<Option<PolicyKind>> {
     Ok(Some(match class_of(part)?.as_deref() {
-        Some("Proportional") => {
-            PolicyKind::Proportional { alpha: field(part, "alpha")?, power: field(part, "power")? }
-        }
-        Some("EpsilonGreedy") => PolicyKind::EpsilonGreedy { epsilon: field(part, "epsilon")? },
-        Some("Softmax") => PolicyKind::Softmax {
-            temperature: field(part, "temperature")?,
-            scaled: field(part, "scaled")?,
-        },
-        Some("UCB") => PolicyKind::Ucb { xi: field(part, "xi")? },
+        Some("Proportional") => made_of!(part, PolicyKind::Proportional { alpha, power }),
+        Some("EpsilonGreedy") => made_of!(part, PolicyKind::EpsilonGreedy { epsilon }),
+        Some("Softmax") => made_of!(part, PolicyKind::Softmax { temperature, scaled }),
+        Some("UCB") => made_of!(part, PolicyKind::Ucb { xi }),
         Some("Thompson") => PolicyKind::Thompson,
-        Some("Exp3") => PolicyKind::Exp3 { gamma: field(part, "gamma")? },
-        Some("Exp3S") => {
-            PolicyKind::Exp3S { gamma: field(part, "gamma")?, alpha: field(part, "alpha")? }
-        }
+        Some("Exp3") => made_of!(part, PolicyKind::Exp3 { gamma }),
+        Some("Exp3S") => made_of!(part, PolicyKind::Exp3S { gamma, alpha }),
         Some("RoundRobin") => PolicyKind::RoundRobin,
         Some("Uniform") => PolicyKind::Uniform,
         _ => return Ok(None),
@@ -71,21 +63,10 @@ pub(crate) struct PyPolicy {
 #[pymethods]
 impl PyPolicy {
     #[new]
-    fn new(
-        value: &Bound<'_, PyAny>,
-        parts: &Bound<'_, PyAny>,
-        largest: &Bound<'_, PyAny>,
-    ) -> PyResult<Self> {
-        let Some(kind) = policy_of(value)? else {
-            let got = value.get_type();
-            return Err(PyTypeError::new_err(format!(
-                "value must be a policy of the library, got {}",
-                got.name()?
-            )));
-        };
-        let (parts, largest) = (count("parts", parts)?, number("largest", largest)?);
-        let policy = kind.start(parts, largest).map_err(value_error)?;
-        Ok(Self { policy, parts })
+    fn new(value: &Any<'_>, parts: &Any<'_>, largest: &Any<'_>) -> Result<Self> {
+        let kind = ours(policy_of(value)?, "a policy", value)?;
+        let parts = count("parts", parts)?;
+        Ok(Self { policy: kind.start(parts, number("largest", largest)?)?, parts })
     }
 
     /// Choose the strategy that proposes next.
@@ -117,28 +98,21 @@ impl PyPolicy {
     /// >>> rng = np.random.default_rng(0)
     /// >>> [policy.choose(estimates, rng)[0] for _ in range(3)]
     /// [0, 1, 0]
-    fn choose(
-        &mut self,
-        estimates: &Bound<'_, PyAny>,
-        rng: &Bound<'_, PyAny>,
-    ) -> PyResult<(usize, Option<f64>)> {
+    fn choose(&mut self, estimates: &Any<'_>, rng: &Any<'_>) -> Result<(usize, Option<f64>)> {
         let Choice { part, probability } = match estimates.cast_exact::<PyEstimator>() {
             Ok(estimator) => {
                 let estimator = estimator.try_borrow()?;
                 let estimates = Estimates::of(&*estimator.0);
-                if estimates.means.len() != self.parts {
-                    let (name, got) = ("estimates.means", estimates.means.len());
-                    return Err(value_error(Error::Length { name, must_be: self.parts, got }));
-                }
-                self.policy.choose(&estimates, &mut NumpyStream::lock(rng)?)
+                check_length("estimates.means", estimates.means, self.parts)?;
+                self.policy.choose(&estimates, NumpyStream::lock(rng)?.draws())
             }
             Err(_) => {
-                let means = self.read(estimates, "means")?;
-                let counts = self.read(estimates, "counts")?;
+                let means = self.read("estimates.means", &estimates.getattr("means")?)?;
+                let counts = self.read("estimates.counts", &estimates.getattr("counts")?)?;
                 let largest = estimates.getattr(intern!(rng.py(), "largest"))?;
                 let largest = finite("estimates.largest", &largest)?;
                 let estimates = Estimates { means: &means, counts: &counts, largest };
-                self.policy.choose(&estimates, &mut NumpyStream::lock(rng)?)
+                self.policy.choose(&estimates, NumpyStream::lock(rng)?.draws())
             }
         };
         Ok((part, probability))
@@ -171,10 +145,10 @@ impl PyPolicy {
     /// (1, 0.531088)
     fn learn(
         &mut self,
-        part: &Bound<'_, PyAny>,
-        reward: &Bound<'_, PyAny>,
-        probability: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<()> {
+        part: &Any<'_>,
+        reward: &Any<'_>,
+        probability: Option<&Any<'_>>,
+    ) -> Result<()> {
         let (part, reward) = (part_of(part, self.parts)?, finite("reward", reward)?);
         let probability = probability.map(probability_of).transpose()?;
         self.policy.learn(part, reward, probability);
@@ -188,22 +162,20 @@ impl PyPolicy {
 
 impl PyPolicy {
     /// Reads what a user's estimator says of each strategy.
-    fn read(&self, estimates: &Bound<'_, PyAny>, what: &'static str) -> PyResult<Vec<f64>> {
-        let name = if what == "means" { "estimates.means" } else { "estimates.counts" };
-        let numbers = Floats::point(name, &estimates.getattr(what)?, Some(self.parts))?.copied()?;
-        check_finite(name, &numbers, self.parts).map_err(value_error)?;
+    fn read(&self, name: &'static str, numbers: &Any<'_>) -> Result<Vec<f64>> {
+        let numbers = Floats::point(name, numbers, Some(self.parts))?.copied()?;
+        check_finite(name, &numbers, self.parts)?;
         Ok(numbers)
     }
 }
 
 /// Reads the probability of a choice that was made.
-fn probability_of(probability: &Bound<'_, PyAny>) -> PyResult<f64> {
-    let number = number("probability", probability)?;
-    if 0.0 < number && number <= 1.0 {
-        return Ok(number);
+fn probability_of(probability: &Any<'_>) -> Result<f64> {
+    let got = number("probability", probability)?;
+    if 0.0 < got && got <= 1.0 {
+        return Ok(got);
     }
-    let must_be = "in (0, 1]";
-    Err(value_error(Error::Number { name: "probability", must_be, got: number }))
+    Err(Error::Number { name: "probability", must_be: "in (0, 1]", got }.into())
 }
 
 /// An index with probability proportional to its weight; uniformly if all are 0.
@@ -226,12 +198,12 @@ fn probability_of(probability: &Bound<'_, PyAny>) -> PyResult<f64> {
 /// >>> proportionally([1.0, 3.0], 0.2), proportionally([1.0, 3.0], 0.3)
 /// (0, 1)
 #[pyfunction]
-pub(crate) fn proportionally(weights: Vec<f64>, u: f64) -> PyResult<usize> {
+pub(crate) fn proportionally(weights: Vec<f64>, u: f64) -> Result<usize> {
     if weights.is_empty() {
-        return Err(value_error(Error::Empty { name: "weights" }));
+        return Err(Error::Empty { name: "weights" }.into());
     }
     if !(0.0..1.0).contains(&u) {
-        return Err(value_error(Error::Number { name: "u", must_be: "in [0, 1)", got: u }));
+        return Err(Error::Number { name: "u", must_be: "in [0, 1)", got: u }.into());
     }
     Ok(strategies::proportionally(weights.iter().copied(), u))
 }
@@ -257,10 +229,10 @@ pub(crate) fn proportionally(weights: Vec<f64>, u: f64) -> PyResult<usize> {
 /// >>> powers([-1.0, 2.0, 4.0], 2.0), powers([-1.0, 2.0, 4.0], 1.0)
 /// ([0.0, 0.25, 1.0], [0.0, 2.0, 4.0])
 #[pyfunction]
-pub(crate) fn powers(means: Vec<f64>, power: f64) -> PyResult<Vec<f64>> {
+pub(crate) fn powers(means: Vec<f64>, power: f64) -> Result<Vec<f64>> {
     if !(power.is_finite() && power >= 0.0) {
         let must_be = "finite and not negative";
-        return Err(value_error(Error::Number { name: "power", must_be, got: power }));
+        return Err(Error::Number { name: "power", must_be, got: power }.into());
     }
     let mut weights = Vec::with_capacity(means.len());
     policies::powers(&means, power, &mut weights);

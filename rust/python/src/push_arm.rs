@@ -1,11 +1,11 @@
 //! Binding of the arm that pushes a ball.
 
 use divbandit_core::ObstructedArm;
-use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::arrays::{Floats, number};
-use crate::errors::value_error;
+use crate::arrays::{Any, Array1, Array2, Floats, number, rows_of};
+use crate::errors::Result;
 use crate::obstructed_arm::{PyObstructedArm, each, pair};
 
 /// A planar arm and a ball in its way.
@@ -24,63 +24,43 @@ impl PyPushArm {
     #[new]
     fn new(
         arm: &Bound<'_, PyObstructedArm>,
-        ball: &Bound<'_, PyAny>,
-        ball_radius: &Bound<'_, PyAny>,
-    ) -> PyResult<Self> {
+        ball: &Any<'_>,
+        ball_radius: &Any<'_>,
+    ) -> Result<Self> {
         let (ball, radius) = (pair("ball", ball)?, number("ball_radius", ball_radius)?);
-        arm.get().0.clone().pushing(ball, radius).map(Self).map_err(value_error)
+        Ok(Self(arm.get().0.clone().pushing(ball, radius)?))
     }
 
     /// Where the ball ends: (joints,) -> (2,), or (n, joints) -> (n, 2).
-    fn effect<'py>(
-        &self,
-        py: Python<'py>,
-        command: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn effect<'py>(&self, command: &Any<'py>) -> Result<Any<'py>> {
         let mut moving = self.0.moving();
-        each(py, self.0.free(), command, |command| moving.effect(command))
+        each(self.0.free(), command, |command| moving.effect(command))
     }
 
     /// The share of the way that can be gone: (joints,) -> (1,), or (n, joints) -> (n, 1).
-    fn progress<'py>(
-        &self,
-        py: Python<'py>,
-        command: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn progress<'py>(&self, command: &Any<'py>) -> Result<Any<'py>> {
         let mut moving = self.0.moving();
-        each(py, self.0.free(), command, |command| Ok([moving.progress(command)?]))
+        each(self.0.free(), command, |command| Ok([moving.progress(command)?]))
     }
 
     /// The positions of the base, of each joint's far end and, last, of the tip, where the arm stops.
-    fn posture<'py>(
-        &self,
-        py: Python<'py>,
-        command: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let command = Floats::point("command", command, Some(self.0.free().joints()))?.copied()?;
-        let points = self.0.moving().posture(&command).map_err(value_error)?;
-        points.concat().into_pyarray(py).reshape([points.len(), 2])
+    fn posture<'py>(&self, command: &Any<'py>) -> Result<Array2<'py>> {
+        let angles = Floats::point("command", command, Some(self.0.free().joints()))?.copied()?;
+        Ok(rows_of(command.py(), self.0.moving().posture(&angles)?)?)
     }
 
     /// The share of the way and the ball's place, whenever it was looked at: (k, 3).
-    fn path<'py>(
-        &self,
-        py: Python<'py>,
-        command: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let command = Floats::point("command", command, Some(self.0.free().joints()))?.copied()?;
-        let path = py.detach(|| self.0.moving().path(&command)).map_err(value_error)?;
-        path.concat().into_pyarray(py).reshape([path.len(), 3])
+    fn path<'py>(&self, command: &Any<'py>) -> Result<Array2<'py>> {
+        let angles = Floats::point("command", command, Some(self.0.free().joints()))?.copied()?;
+        let path = command.py().detach(|| self.0.moving().path(&angles))?;
+        Ok(rows_of(command.py(), path)?)
     }
 
     /// Where the ball ends on a trajectory of rows of angles: (k, joints) -> (2,).
-    fn follow<'py>(
-        &self,
-        py: Python<'py>,
-        trajectory: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let angles = Floats::points("trajectory", trajectory, self.0.free().joints())?.copied()?;
-        let ball = py.detach(|| self.0.moving().follow(&angles)).map_err(value_error)?;
-        Ok(ball.to_vec().into_pyarray(py).into_any())
+    fn follow<'py>(&self, trajectory: &Any<'py>) -> Result<Array1<'py>> {
+        let (py, joints) = (trajectory.py(), self.0.free().joints());
+        let angles = Floats::points("trajectory", trajectory, joints)?.copied()?;
+        let ball = py.detach(|| self.0.moving().follow(&angles))?;
+        Ok(PyArray1::from_slice(py, &ball))
     }
 }

@@ -11,11 +11,12 @@ use std::ptr::NonNull;
 
 use divbandit_core::UniformStream;
 use numpy::npyffi::random::bitgen_t;
-use pyo3::exceptions::PyTypeError;
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyCapsule, PyType};
+
+use crate::arrays::wrong_type;
 
 /// The caller's stream of uniform numbers, locked for as long as this lives.
 pub(crate) struct NumpyStream<'py> {
@@ -43,35 +44,19 @@ impl<'py> NumpyStream<'py> {
         static GENERATOR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
         let py = rng.py();
         if !rng.is_instance(GENERATOR.import(py, "numpy.random", "Generator")?)? {
-            let got = rng.get_type();
-            return Err(PyTypeError::new_err(format!(
-                "rng must be a numpy.random.Generator, got {}",
-                got.name()?
-            )));
+            return Err(wrong_type("rng", "a numpy.random.Generator", rng));
         }
         let bit_generator = rng.getattr(intern!(py, "bit_generator"))?;
         let capsule = bit_generator.getattr(intern!(py, "capsule"))?.cast_into::<PyCapsule>()?;
         let bitgen = capsule.pointer_checked(Some(c"BitGenerator"))?.cast::<bitgen_t>();
         let lock = bit_generator.getattr(intern!(py, "lock"))?;
         lock.call_method0(intern!(py, "acquire"))?;
-        let draws = Draws(bitgen);
-        Ok(Self { draws, lock, _capsule: capsule, _bit_generator: bit_generator })
+        Ok(Self { draws: Draws(bitgen), lock, _capsule: capsule, _bit_generator: bit_generator })
     }
 
-    /// The numbers, lent to a computation that detaches from Python.
+    /// The numbers, lent to a computation, which may detach from Python.
     pub fn draws(&mut self) -> &mut Draws {
         &mut self.draws
-    }
-}
-
-impl UniformStream for NumpyStream<'_> {
-    #[inline]
-    fn next(&mut self) -> f64 {
-        self.draws.next()
-    }
-
-    fn fill(&mut self, numbers: &mut [f64]) {
-        self.draws.fill(numbers);
     }
 }
 

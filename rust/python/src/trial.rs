@@ -1,8 +1,9 @@
 //! Trial: a motor command that a strategy proposes, and why.
 
-use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
+
+use crate::arrays::{Any, Array1};
 
 /// A motor command that a strategy proposes, and why; it cannot be changed.
 ///
@@ -33,19 +34,13 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 /// >>> trial = db.Trial([0.5, 0.5], goal=[1.0])
 /// >>> trial.goal, trial.path
 /// ([1.0], ())
-#[pyclass(module = "divbandit", name = "Trial", frozen, subclass)]
+#[pyclass(module = "divbandit", name = "Trial", frozen, subclass, get_all)]
 pub(crate) struct PyTrial {
-    #[pyo3(get)]
     pub command: Py<PyAny>,
-    #[pyo3(get)]
     goal: Option<Py<PyAny>>,
-    #[pyo3(get)]
     pub path: Py<PyTuple>,
-    #[pyo3(get)]
     probability: Option<f64>,
-    #[pyo3(get)]
     inner: Option<Py<PyTrial>>,
-    #[pyo3(get)]
     number: Option<usize>,
 }
 
@@ -57,19 +52,26 @@ impl PyTrial {
 
     /// A trial that the engine gives out.
     pub fn numbered(
-        command: Bound<'_, PyArray1<f64>>,
-        goal: Option<Bound<'_, PyArray1<f64>>>,
+        command: Array1<'_>,
+        goal: Option<Array1<'_>>,
         path: Bound<'_, PyTuple>,
         probability: Option<f64>,
         number: usize,
     ) -> Self {
+        let (command, goal) =
+            (command.into_any().unbind(), goal.map(|goal| goal.into_any().unbind()));
+        Self { command, goal, path: path.unbind(), probability, inner: None, number: Some(number) }
+    }
+
+    /// The same trial as another object.
+    fn copied(&self, py: Python<'_>) -> Self {
         Self {
-            command: command.into_any().unbind(),
-            goal: goal.map(|goal| goal.into_any().unbind()),
-            path: path.unbind(),
-            probability,
-            inner: None,
-            number: Some(number),
+            command: self.command.clone_ref(py),
+            goal: self.goal.as_ref().map(|goal| goal.clone_ref(py)),
+            path: self.path.clone_ref(py),
+            probability: self.probability,
+            inner: self.inner.as_ref().map(|inner| inner.clone_ref(py)),
+            number: self.number,
         }
     }
 }
@@ -91,15 +93,9 @@ impl PyTrial {
     /// >>> db.Trial.of([0.5]).command
     /// [0.5]
     #[classmethod]
-    fn of<'py>(
-        _class: &Bound<'py, PyType>,
-        proposal: Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyTrial>> {
-        if let Ok(trial) = proposal.cast::<PyTrial>() {
-            return Ok(trial.clone());
-        }
-        let py = proposal.py();
-        Bound::new(py, Self::new(py, proposal.unbind(), None))
+    fn of<'py>(class: &Bound<'py, PyType>, proposal: Any<'py>) -> PyResult<Bound<'py, PyTrial>> {
+        let new = |proposal: Any<'py>| Self::new(class.py(), proposal.unbind(), None);
+        proposal.cast_into().or_else(|other| Bound::new(class.py(), new(other.into_inner())))
     }
 
     /// Return this trial as one of a composite strategy, whose part `index` proposed it.
@@ -122,22 +118,10 @@ impl PyTrial {
         probability: Option<f64>,
     ) -> PyResult<Self> {
         let (py, this) = (slf.py(), slf.get());
-        let inner = this.path.bind(py);
-        let path = if inner.is_empty() {
-            PyTuple::new(py, [index])?
-        } else {
-            let mut path = vec![index.into_pyobject(py)?.into_any()];
-            path.extend(inner.iter());
-            PyTuple::new(py, path)?
-        };
-        Ok(Self {
-            command: this.command.clone_ref(py),
-            goal: this.goal.as_ref().map(|goal| goal.clone_ref(py)),
-            path: path.unbind(),
-            probability,
-            inner: Some(slf.clone().unbind()),
-            number: None,
-        })
+        let outer = PyTuple::new(py, [index])?.into_sequence();
+        let path = outer.concat(this.path.bind(py).as_sequence())?.to_tuple()?.unbind();
+        let inner = Some(slf.clone().unbind());
+        Ok(Self { path, probability, inner, number: None, ..this.copied(py) })
     }
 
     /// Return what an Explorer gives out of this proposal: a command that was checked, numbered.
@@ -150,30 +134,15 @@ impl PyTrial {
     /// >>> given.number, given.inner is proposed
     /// (3, True)
     fn given_out(slf: &Bound<'_, Self>, command: Py<PyAny>, number: usize) -> Self {
-        let (py, this) = (slf.py(), slf.get());
-        Self {
-            command,
-            goal: this.goal.as_ref().map(|goal| goal.clone_ref(py)),
-            path: this.path.clone_ref(py),
-            probability: this.probability,
-            inner: Some(slf.clone().unbind()),
-            number: Some(number),
-        }
+        let inner = Some(slf.clone().unbind());
+        Self { command, inner, number: Some(number), ..slf.get().copied(slf.py()) }
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyTuple>> {
-        let (py, this) = (slf.py(), slf.get());
-        let state = (
-            this.command.clone_ref(py),
-            this.goal.as_ref().map(|goal| goal.clone_ref(py)),
-            this.path.clone_ref(py),
-            this.probability,
-            this.inner.as_ref().map(|inner| inner.clone_ref(py)),
-            this.number,
-        );
+        let Self { command, goal, path, probability, inner, number } = slf.get();
+        let state = (command, goal, path, probability, inner, number);
         let again = slf.get_type().getattr("_again")?;
-        let attributes = slf.getattr("__dict__").ok();
-        (again, state, attributes).into_pyobject(py)
+        (again, state, slf.getattr("__dict__").ok()).into_pyobject(slf.py())
     }
 
     /// Return a trial with these fields, as a copy or a pickle has them.
@@ -186,7 +155,7 @@ impl PyTrial {
         probability: Option<f64>,
         inner: Option<Py<PyTrial>>,
         number: Option<usize>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Any<'py>> {
         let py = class.py();
         if class.is(py.get_type::<PyTrial>()) {
             let trial = Self { command, goal, path, probability, inner, number };
@@ -199,11 +168,8 @@ impl PyTrial {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let command = self.command.bind(py).repr()?;
-        let mut text = format!("Trial({command}");
-        if let Some(goal) = &self.goal {
-            text += &format!(", goal={}", goal.bind(py).repr()?);
-        }
-        Ok(format!("{text}, path={})", self.path.bind(py).repr()?))
+        let goal = self.goal.as_ref().map(|goal| goal.bind(py).repr()).transpose()?;
+        let goal = goal.map_or(String::new(), |goal| format!(", goal={goal}"));
+        Ok(format!("Trial({}{goal}, path={})", self.command.bind(py).repr()?, self.path))
     }
 }

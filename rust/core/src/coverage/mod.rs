@@ -103,9 +103,9 @@ impl Coverage {
         let exact = coverage.is_exact();
         check_length("standard_errors", errors, if exact { 0 } else { len })?;
         let ball = coverage.ball();
-        let must_be = format!("from 0 to a ball's measure, {ball:?}");
         for (name, logged) in [("gains", gains), ("standard_errors", errors)] {
-            check_each(name, logged, len, &must_be, |x| (0.0..=ball).contains(&x))?;
+            let must_be = format_args!("from 0 to a ball's measure, {ball:?}");
+            check_each(name, logged, len, must_be, |x| (0.0..=ball).contains(&x))?;
         }
         for (i, (effect, &gain)) in effects.chunks_exact(dim).zip(gains).enumerate() {
             let known = Estimated { gain, standard_error: errors.get(i).copied().unwrap_or(0.0) };

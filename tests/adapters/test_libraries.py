@@ -43,6 +43,7 @@ def python(script, **environment):
     ("name", "call"),
     [
         ("ribs", "RibsEmitter()"),
+        ("ribs", "RibsScheduler(None, [], None)"),
         ("optuna", "OptunaSampler()"),
         ("mabwiser", "MabwiserPolicy(None)"),
     ],

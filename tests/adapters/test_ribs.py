@@ -334,7 +334,13 @@ def test_two_draws_and_no_more():
     ("arguments", "error", "words"),
     [
         ({"emitter": "lines"}, ValueError, "emitter must be one of 'evolution', 'line', got"),
-        ({"emitter": 3}, TypeError, "emitter must be a name, got int"),
+        ({"emitter": 3}, TypeError, "emitter must be a name, or a function of an .*, got int"),
+        (
+            {"emitter": GaussianEmitter},
+            TypeError,
+            r"one, got the class GaussianEmitter: write lambda archive, seed: Gauss.*, seed=seed\)",
+        ),
+        ({"archive": GridArchive}, TypeError, "write lambda dim, seed: GridArchive"),
         ({"cells": 0}, ValueError, "cells must be at least 1, got 0"),
         ({"box": 3}, TypeError, "box must be a Box or have .low and .high, got int"),
         ({"archive": 3}, TypeError, "archive must be callable, got int"),
@@ -345,6 +351,14 @@ def test_two_draws_and_no_more():
 def test_refuses(arguments, error, words):
     with pytest.raises(error, match=words):
         RibsEmitter(**arguments)
+
+
+def test_takes_a_class_that_is_made_of_archive_and_seed():
+    class Gaussian(GaussianEmitter):
+        def __init__(self, archive, seed):
+            super().__init__(archive, sigma=0.1, x0=[0.5] * 4, seed=seed)
+
+    assert len(db.explore(ARM, RibsEmitter(Gaussian), n=3, rng=0)) == 3
 
 
 def test_refuses_environments():

@@ -70,6 +70,20 @@ def test_pyribs_emitters(run):
     assert shares[2] == min(shares)
 
 
+def test_ribs_scheduler(run):
+    text = run("ribs_scheduler")
+    assert list(covered(text)) == ["UCB1, of pyribs", "ADAPT"]
+    theirs, ours = covered(text).values()
+    assert ours > 0.9 * theirs > 0.1
+    small, *large = numbers(text.splitlines()[-1])
+    assert small + sum(large) == 300
+    assert small < min(large)
+
+
+def test_ribs_scheduler_is_short():
+    assert len((EXAMPLES / "ribs_scheduler.py").read_text().splitlines()) <= 40
+
+
 def test_optuna_samplers(run):
     text = run("optuna_samplers")
     assert list(covered(text)) == ["random", "CMA-ES", "TPE", "TPE, to the right", "ADAPT"]

@@ -222,9 +222,9 @@ def rows(n, s=2):
             (np.zeros(7), rows(8)),
             {},
             ValueError,
-            r"objective must hold a value for each of 8 .*\(7,\)",
+            r"objective must be .* shape \(8,\), got shape \(7,\)",
         ),
-        ((1.0, rows(8)), {}, ValueError, r"objective must hold a value for each of 8 .*\(\)"),
+        ((1.0, rows(8)), {}, ValueError, r"objective must be .* shape \(8,\), got shape \(\)"),
         (
             (np.zeros(8), rows(9)),
             {},
@@ -240,7 +240,14 @@ def rows(n, s=2):
         ),
         ((np.zeros(8), [["x", "y"]] * 8), {}, ValueError, "measures must be finite .*: could not"),
         ((np.zeros(8), [[1.0, 2.0]] * 3 + [[np.nan, 1.0]] * 5), {}, ValueError, "in row 3"),
-        ((np.full(8, np.nan), rows(8)), {}, ValueError, "objective"),
+        ((np.full(8, np.nan), rows(8)), {}, ValueError, "objective must be .*, got nan in row 0"),
+        (
+            ([1, [2]] * 4, rows(8)),
+            {},
+            ValueError,
+            "objective must be finite numbers of .*: setting",
+        ),
+        (([1] * 8, rows(8)), {"note": [1, [2]] * 4}, ValueError, "note must hold a value .*: sett"),
         ((None, rows(8)), {}, ValueError, "objective"),
         ((np.zeros(8), rows(8)), {"note": [1]}, ValueError, "note must hold a value for each of 8"),
         ((np.zeros(8), rows(8)), {"note": rows(8)}, ValueError, "note"),
@@ -382,6 +389,16 @@ ARCHIVE, EMITTERS = setting()
             ValueError,
             r"bandit must return .* it is given alone, got MotorBabbling\(\) in it",
         ),
+        (
+            {"bandit": lambda parts: adapt(parts[:2])},
+            ValueError,
+            r"bandit must be over all the strategies it is given, got none for emitters\[2\]",
+        ),
+        (
+            {"result_archive": GridArchive(solution_dim=DIM, dims=[9], ranges=[(0, 1)])},
+            ValueError,
+            "2 measures, got 1",
+        ),
         ({"num_active": 0}, ValueError, "num_active must be from 1 to 3, got 0"),
         ({"num_active": 4}, ValueError, "num_active must be from 1 to 3, got 4"),
         ({"add_mode": "one"}, ValueError, "add_mode"),
@@ -394,6 +411,26 @@ def test_refuses(changed, error, words):
     arguments = {"archive": ARCHIVE, "emitters": EMITTERS, "bandit": adapt, **changed}
     with pytest.raises(error, match=words):
         RibsScheduler(**arguments)
+
+
+def test_refuses_proposals_of_its_own():
+    class Alone(db.Composite):
+        def choose(self, *_):
+            """Choose none."""
+
+        def propose(self, *_):
+            return [1.0]
+
+    scheduler = RibsScheduler(ARCHIVE, EMITTERS, Alone)
+    with pytest.raises(ValueError, match=r"as a Composite does, got a trial of path \(\)"):
+        scheduler.ask()
+
+
+def test_one_emitter_in_two_places():
+    scheduler = RibsScheduler(*setting(), lambda parts: adapt([*parts, parts[0]]), rng=0)
+    work(scheduler, 30)
+    assert {path[0] for path in scheduler.history.paths} == {0, 1, 2, 3}
+    assert scheduler.asked.sum() == 30
 
 
 def test_refuses_measures_that_cannot_be_rewarded():

@@ -45,7 +45,7 @@ class RibsScheduler:
         A function of a list of strategies, one for each emitter, that returns a bandit over them:
         ``divbandit.Adapt``, or ``lambda emitters: divbandit.Adapt(emitters, tau=0.1)``. `tau` is in
         the units of the measures, and of use if it is about the width of an archive's cell. Any
-        composition of these strategies will do, such as a `Mixture`.
+        composition of all these strategies will do, such as a `Mixture`.
     result_archive : ribs.archives.ArchiveBase, optional
         A second archive to which all solutions are added.
     num_active : int
@@ -122,6 +122,11 @@ class RibsScheduler:
         self.emitters = self.emitter_pool = _emitters_of(emitters)
         if result_archive is not None:
             _of_kind("result_archive", result_archive, "ribs.archives", "ArchiveBase")
+            if result_archive.measure_dim != archive.measure_dim:
+                raise ValueError(
+                    f"result_archive must have the archive's {archive.measure_dim} measures, "
+                    f"got {result_archive.measure_dim}"
+                )
         self.result_archive = archive if result_archive is None else result_archive
         self._second = result_archive
         self._add_mode = add_mode
@@ -133,7 +138,14 @@ class RibsScheduler:
         self.solutions: NDArray[Any] | None = None
         self.history = History(Box([0], [count - 1]))
         given = _bandit_over(count, bandit)
-        self._paths = dict(_paths_of(given))
+        self._places = dict(_places_of(given))
+        self._paths = {index: path for path, index in self._places.items()}
+        if len(self._paths) < count:
+            left_out = min(set(range(count)) - self._paths.keys())
+            raise ValueError(
+                "bandit must be over all the strategies it is given, "
+                f"got none for emitters[{left_out}]"
+            )
         given.check(self.history.motor_space, int(archive.measure_dim), has_goals=False)
         self._bandit = Starter(self.history)(given)
         self._trials: list[Trial] = []  # who proposed each solution
@@ -221,7 +233,12 @@ class RibsScheduler:
         chosen: dict[int, Trial] = {}
         for _ in range(self._num_active):
             trial = Trial.of(self._bandit.propose(self.history, self._rng))
-            chosen.setdefault(_emitter_of(trial), trial)
+            if trial.path not in self._places:
+                raise ValueError(
+                    "bandit must let one of its strategies propose, as a Composite does, "
+                    f"got a trial of path {trial.path}"
+                )
+            chosen.setdefault(self._places[trial.path], trial)
         means = self.estimates
         others = sorted(
             self._paths.keys() - chosen.keys(),
@@ -232,7 +249,7 @@ class RibsScheduler:
             ),
         )
         for each in others[: self._num_active - len(chosen)]:
-            chosen[each] = _choice(each, self._paths[each])
+            chosen[each] = _choice(self._paths[each])
         return dict(sorted(chosen.items()))
 
     def tell(
@@ -278,9 +295,12 @@ class RibsScheduler:
         """
         if self.solutions is None:
             raise RuntimeError("tell must follow ask: there are no solutions to tell")
-        effects = _measures_of(measures, (len(self.solutions), int(self.archive.measure_dim)))
-        for name, values in {"objective": objective, **fields}.items():
-            _check_length(name, values, len(self.solutions))
+        count = len(self.solutions)
+        effects = _numbers("measures", measures, (count, int(self.archive.measure_dim)))
+        if objective is not None:
+            _numbers("objective", objective, (count,))
+        for name, values in fields.items():
+            _check_length(name, values, count)
         undisturbed(self._tell, objective, effects, measures, fields)
 
     def _tell(
@@ -300,7 +320,7 @@ class RibsScheduler:
         """Let the bandit learn; what is left where a reward raises is learned the next time."""
         while self._told:
             trial, effect = self._told.popleft()
-            self.history.append([_emitter_of(trial)], effect, path=trial.path)
+            self.history.append([self._places[trial.path]], effect, path=trial.path)
             self._bandit.observe(trial, effect)
 
     @staticmethod
@@ -333,11 +353,11 @@ class RibsScheduler:
         raise NotImplementedError("RibsScheduler must be told by tell(): it takes no gradients")
 
     def __repr__(self) -> str:
-        return f"<RibsScheduler of {len(self.emitters)} emitters, {len(self.history)} solutions>"
+        return f"<RibsScheduler of {len(self.history)} solutions, emitters asked: {self.asked}>"
 
 
 class _Emitter(Strategy):
-    """What stands for an emitter in the bandit: it proposes the emitter's index."""
+    """What stands for an emitter in the bandit: its trials say who was chosen."""
 
     def __init__(self, index: int) -> None:
         self.index = index
@@ -345,22 +365,15 @@ class _Emitter(Strategy):
     def propose(self, history: History, rng: Generator) -> Trial:
         """Propose the emitter."""
         del history, rng
-        return Trial([self.index])
+        return Trial([0.0])  # its path says which one it is
 
 
-def _choice(index: int, path: tuple[int, ...]) -> Trial:
-    """Return the trial of composites that chose an emitter along a path."""
-    trial = Trial([index])
+def _choice(path: tuple[int, ...]) -> Trial:
+    """Return the trial of composites that chose along a path."""
+    trial = Trial([0.0])
     for part in reversed(path):
         trial = trial.proposed_by(part)
     return trial
-
-
-def _emitter_of(trial: Trial) -> int:
-    """Return the index of the emitter that was chosen."""
-    while trial.inner is not None:
-        trial = trial.inner
-    return int(trial.command[0])
 
 
 def _bandit_over(count: int, bandit: Callable[[list[Strategy]], Strategy]) -> Strategy:
@@ -375,12 +388,12 @@ def _bandit_over(count: int, bandit: Callable[[list[Strategy]], Strategy]) -> St
     return made
 
 
-def _paths_of(
+def _places_of(
     strategy: Strategy, path: tuple[int, ...] = ()
-) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """Return the emitters that a composition is made of, each with its path."""
+) -> Iterator[tuple[tuple[int, ...], int]]:
+    """Return the paths in a composition, each with the index of the emitter that it leads to."""
     if isinstance(strategy, _Emitter):
-        yield strategy.index, path
+        yield path, strategy.index
         return
     parts = getattr(strategy, "strategies", None)
     if parts is None:
@@ -389,7 +402,7 @@ def _paths_of(
             f"got {strategy!r} in it"
         )
     for index, part in enumerate(parts):
-        yield from _paths_of(part, (*path, index))
+        yield from _places_of(part, (*path, index))
 
 
 def _emitters_of(emitters: Sequence[EmitterBase]) -> tuple[EmitterBase, ...]:
@@ -413,25 +426,28 @@ def _of_kind(name: str, value: Any, module: str, kind: str) -> Any:  # noqa: ANN
     return value
 
 
-def _measures_of(measures: ArrayLike, shape: tuple[int, int]) -> NDArray[np.float64]:
-    """Return measures as effects, or say what is wrong with them."""
-    wanted = f"measures must be finite numbers of shape {shape}"
+def _numbers(name: str, values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """Return a copy of what was told of the solutions, or say what is wrong with it."""
+    wanted = f"{name} must be finite numbers of shape {shape}"
     try:
-        effects = np.array(measures, dtype=np.float64)
+        numbers = np.array(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise type(error)(f"{wanted}: {error}") from None
-    if effects.shape != shape:
-        raise ValueError(f"{wanted}, got shape {effects.shape}")
-    wrong = np.flatnonzero(~np.isfinite(effects).all(axis=1))
+    if numbers.shape != shape:
+        raise ValueError(f"{wanted}, got shape {numbers.shape}")
+    wrong = np.argwhere(~np.isfinite(numbers))
     if len(wrong):
-        raise ValueError(f"{wanted}, got {effects[wrong[0]].tolist()} in row {wrong[0]}")
-    return effects
+        row = wrong[0, 0]
+        raise ValueError(f"{wanted}, got {numbers[row].tolist()} in row {row}")
+    return numbers
 
 
 def _check_length(name: str, values: ArrayLike | None, count: int) -> None:
     """Raise unless there is a value for each solution, or none at all."""
-    shape = None if values is None else np.shape(values)
-    if shape is not None and shape[:1] != (count,):
-        raise ValueError(
-            f"{name} must hold a value for each of {count} solutions, got shape {shape}"
-        )
+    wanted = f"{name} must hold a value for each of {count} solutions"
+    try:
+        shape = (count,) if values is None else np.shape(values)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{wanted}: {error}") from None
+    if shape[:1] != (count,):
+        raise ValueError(f"{wanted}, got shape {shape}")

@@ -79,29 +79,5 @@ def test_nothing_is_near_in_an_empty_history():
         db.History(SPACE, PLANE).nearest([0, 0])
 
 
-BAD = {
-    "no command": ("ab", [0, 0], ()),
-    "a short command": ([0, 0], [0, 0], ()),
-    "outside": ([0, 0, 2], [0, 0], ()),
-    "no effect": ([0, 0, 0], None, ()),
-    "a long effect": ([0, 0, 0], [0, 0, 0], ()),
-    "not finite": ([0, 0, 0], [0, np.nan], ()),
-    "a list as path": ([0, 0, 0], [0, 0], [1]),
-    "a negative index": ([0, 0, 0], [0, 0], (0, -1)),
-    "half an index": ([0, 0, 0], [0, 0], (0.5,)),
-    "too large an index": ([0, 0, 0], [0, 0], (2**32,)),
-}
-
-
-@pytest.mark.parametrize(("command", "effect", "path"), BAD.values(), ids=BAD)
-def test_what_is_refused_leaves_no_trace(command, effect, path):
-    history, commands, effects = filled(10)
-    with pytest.raises((TypeError, ValueError), match=r"^(command|effect|path)"):
-        history.append(command, effect, path=path)
-    assert history.commands.tolist() == commands.tolist()
-    assert history.effects.tolist() == effects.tolist()
-    assert len(history.paths) == 10
-
-
 def test_its_repr_says_its_size():
     assert "10 evaluations" in repr(filled(10)[0])

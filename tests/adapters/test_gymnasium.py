@@ -199,16 +199,3 @@ def test_nothing_is_registered_before_it_is_asked_for():
         "print('divbandit/OneStep-v0' in gymnasium.registry)"
     )
     assert python(script) == "False\nTrue\n"
-
-
-def test_says_what_to_install():
-    script = """
-import sys
-sys.modules["gymnasium"] = None
-import divbandit.adapters
-try:
-    divbandit.adapters.OneStepEnv
-except ModuleNotFoundError as error:
-    print(error)
-"""
-    assert python(script) == "OneStepEnv needs gymnasium: pip install 'divbandit[gymnasium]'\n"

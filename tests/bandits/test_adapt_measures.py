@@ -42,29 +42,6 @@ def test_the_default_is_coverage_with_the_papers_tau(engine):
     assert len({run.estimates.tobytes() for run in runs}) == 1
 
 
-def by_grid(engine, count=2, **parameters):
-    grid = Gain(db.measures.GridCoverage(1.0))
-    return Drive(engine, count, reward=grid, **{"alpha": 0.5, "window": 3} | parameters)
-
-
-@both_engines
-def test_windows_by_hand(engine):
-    run = by_grid(engine)
-    assert run.estimates == (1.0, 1.0)
-    assert run.step(0, new=True) == (1.0, 1.0)
-    assert run.step(0, new=False) == (2 / 3, 1.0)
-    assert run.step(1, new=False) == (2 / 3, 0.5)
-    assert run.step(1, new=True) == (2 / 3, 2 / 3)
-
-
-@both_engines
-def test_two_head_starts(engine):
-    assert by_grid(engine, 1, head_start=2, window=2).estimates == (1.0,)
-    run = by_grid(engine, 1, head_start=2)
-    run.step(0, new=True)
-    assert run.step(0, new=False) == (2 / 3,)
-
-
 def by_entropy(engine, *steps):
     """Return a Drive of three strategies by entropy, after steps (index, new)."""
     entropy = Gain(db.measures.Entropy(1.0))

@@ -1,7 +1,6 @@
 """Controllers: actions worked out by hand, and what is refused."""
 
 import math
-import pickle
 from types import SimpleNamespace
 
 import numpy as np
@@ -189,26 +188,6 @@ def test_trajectories_that_are_none(make, rows, error, says):
         make(primitives).begin(np.zeros(1))
 
 
-@pytest.mark.parametrize(
-    ("wrong", "error", "says"),
-    [
-        ({"primitives": 5}, TypeError, "primitives must have motor_space and trajectory"),
-        ({"dt": 0.0}, ValueError, "dt must be"),
-        ({"dt": math.nan}, ValueError, "dt must be"),
-        ({"dt": "1"}, TypeError, "dt must be"),
-        ({"stiffness": -1}, ValueError, "stiffness must be"),
-        ({"stiffness": [1, -1]}, ValueError, "stiffness must be at least 0"),
-        ({"damping": [1, math.inf]}, ValueError, r"damping\[1\] must be finite"),
-        ({"damping": None}, TypeError, "damping must be"),
-        ({"limit": -1}, ValueError, "limit must be"),
-        ({"turns": 1}, TypeError, "turns must be True or False"),
-    ],
-)
-def test_wrong_arguments_of_tracking(wrong, error, says):
-    with pytest.raises(error, match=says):
-        tracking(**wrong)
-
-
 def test_readings_must_be_callable_and_fit():
     for name in ("positions", "velocities"):
         readings = {"positions": first_two, "velocities": last_two} | {name: 3}
@@ -223,40 +202,6 @@ def test_readings_must_be_callable_and_fit():
         act(0, np.array([0, 0, np.nan, 0]))
     with pytest.raises(ValueError, match="stiffness must be one number or one for each of 2"):
         tracking(stiffness=[1, 2, 3]).begin(np.zeros(2))
-
-
-@pytest.mark.parametrize(
-    ("call", "error", "says"),
-    [
-        (lambda: ViaPoints([1], [0], steps=3), ValueError, "low"),
-        (lambda: ViaPoints([0], [1], steps=0), ValueError, "steps must be at least 1"),
-        (lambda: ViaPoints([0], [1], steps=3, points=4), ValueError, "points must be from 1 to 3"),
-        (lambda: ViaPoints([0], [1], steps=3, start=[0, 0]), ValueError, "start"),
-        (lambda: ViaPoints([0], [1], steps=3).trajectory([2]), ValueError, "command"),
-        (
-            lambda: db.controllers.FunctionController(3, db.Box([0], [1])),
-            TypeError,
-            "f must be callable",
-        ),
-        (lambda: db.controllers.FunctionController(abs, 3), TypeError, "motor_space"),
-        (lambda: db.controllers.OpenLoop(None), TypeError, "primitives must have"),
-    ],
-)
-def test_other_wrong_arguments(call, error, says):
-    with pytest.raises(error, match=says):
-        call()
-
-
-@pytest.mark.parametrize(
-    "controller",
-    [tracking(limit=0.5, turns=True), db.controllers.OpenLoop(Ramp())],
-    ids=lambda c: type(c).__name__,
-)
-def test_they_are_pickled(controller):
-    copy = pickle.loads(pickle.dumps(controller))  # noqa: S301
-    command, seen = np.array([1.0, -2.0]), np.array([0.1, 0.2, 0.3, 0.4])
-    assert copy.begin(command)(1, seen).tolist() == controller.begin(command)(1, seen).tolist()
-    assert type(controller).__name__ in repr(copy)
 
 
 def test_primitives_of_the_library_make_trajectories():

@@ -1,6 +1,5 @@
 """Movement primitives: against another library's, and laws of what is linear."""
 
-import pickle
 
 import numpy as np
 import pytest
@@ -71,33 +70,3 @@ def test_many_at_once_are_the_same_bits_as_one_by_one():
     assert np.array_equal(many, [primitives.trajectory(command) for command in commands])
     assert np.abs(many).max() == 0.5
     assert primitives.trajectory(commands[:0]).shape == (0, 51, 4)
-
-
-def test_it_is_copied_with_all_it_has():
-    primitives = db.controllers.MovementPrimitives(
-        2, basis=3, steps=7, goals=None, start=[1, 0], limit=2
-    )
-    again = pickle.loads(pickle.dumps(primitives))  # noqa: S301 - just written
-    command = primitives.motor_space.high
-    assert np.array_equal(again.trajectory(command), primitives.trajectory(command))
-    assert repr(again) == repr(primitives)
-
-
-@pytest.mark.parametrize(
-    ("wrong", "says"),
-    [
-        ({"dofs": 0}, "dofs must be from 1 to 10000"),
-        ({"basis": 1}, "basis must be from 2 to 1000"),
-        ({"steps": 0}, "steps must be from 1 to 100000"),
-        ({"weights": -1}, "weights must be a positive"),
-        ({"goals": 0}, "goals must be a positive"),
-        ({"start": [0.0]}, "start must have shape"),
-        ({"limit": 0}, "limit must be a positive"),
-        ({"start": [2.0, 0.0], "limit": 1}, "start must be within the limit"),
-    ],
-)
-def test_what_is_refused(wrong, says):
-    with pytest.raises(ValueError, match=says):
-        db.controllers.MovementPrimitives(**{"dofs": 2} | wrong)
-    with pytest.raises(ValueError, match="command must have shape"):
-        db.controllers.MovementPrimitives(2).trajectory([0.0])

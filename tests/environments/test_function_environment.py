@@ -74,10 +74,6 @@ def test_it_explores():
     assert run.effects.tolist() == run.commands[:, ::-1].tolist()
 
 
-def test_its_repr_names_the_function():
-    assert "swap" in repr(db.FunctionEnvironment(swap, SQUARE))
-
-
 def test_a_function_of_scalars_gets_plain_floats():
     seen = []
 
@@ -96,8 +92,3 @@ def test_a_function_of_scalars_gets_plain_floats():
 def test_a_single_number_is_an_effect_of_one_dimension():
     total = db.FunctionEnvironment(lambda x: x.sum(), db.Box([0, 0], [1, 1]), db.Box([0], [2]))
     assert total([0.5, 1.0]).tolist() == [1.5]
-
-
-def test_scalars_must_be_true_or_false():
-    with pytest.raises(TypeError, match="scalars must be True or False"):
-        db.FunctionEnvironment(abs, db.Box([0], [1]), scalars=1)

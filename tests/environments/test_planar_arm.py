@@ -1,8 +1,6 @@
 """The planar arm's kinematics, against the definition evaluated with 50 digits and with NumPy."""
 
-import copy
 import math
-import pickle
 
 import mpmath
 import numpy as np
@@ -25,10 +23,6 @@ def exact_tip(command):
 def numpy_tips(commands):
     heading = np.cumsum(commands, axis=1)
     return np.stack([np.cos(heading), np.sin(heading)], axis=-1).mean(axis=1)
-
-
-def repickled(value):
-    return pickle.loads(pickle.dumps(value))  # noqa: S301 - just written
 
 
 def commands_of(arm, n, seed=0):
@@ -113,24 +107,3 @@ def test_whole_numbers_are_numbers():
     arm = db.PlanarArm(2)
     assert arm(np.array([1, -1])).tolist() == arm([1.0, -1.0]).tolist()
     assert arm(np.array([1, 2], dtype=np.uint8)).tolist() == arm([1.0, 2.0]).tolist()
-
-
-@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, repickled])
-def test_copies_and_pickles(again):
-    arm = db.PlanarArm(3, limit=1.25)
-    other = again(arm)
-    assert repr(other) == repr(arm) == "PlanarArm(3, limit=1.25)"
-    assert other.motor_space == arm.motor_space
-    assert other([1, 1, 1]).tolist() == arm([1, 1, 1]).tolist()
-
-
-@pytest.mark.parametrize("joints", [np.int64(3), np.uint8(3)])
-def test_any_whole_number_of_joints(joints):
-    arm = db.PlanarArm(joints, limit=1.0)
-    assert arm.motor_space == db.Box([-1.0] * 3, [1.0] * 3)
-
-
-@pytest.mark.parametrize("limit", [1, np.float32(1), np.int64(1)])
-def test_any_number_as_limit(limit):
-    arm = db.PlanarArm(3, limit=limit)
-    assert arm.motor_space == db.Box([-1.0] * 3, [1.0] * 3)

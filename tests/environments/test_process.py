@@ -1,7 +1,6 @@
 """ProcessEnvironment: real programs, good and bad ones."""
 
 import os
-import pickle
 import signal
 import sys
 import threading
@@ -147,26 +146,6 @@ def test_several_at_once_and_failures_survived():
     np.testing.assert_array_equal(run.effects[:, 0], run.commands[:, 0])
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error", "says"),
-    [
-        (("sleep 1", SPACE), TypeError, "command_line must be a list of words"),
-        (([], SPACE), ValueError, "command_line must not be empty"),
-        ((["a", 1], SPACE), TypeError, r"command_line\[1\] must be a string"),
-        ((["a\0"], SPACE), TypeError, r"command_line\[0\] must be a string"),
-        ((["a"], None), TypeError, "motor_space"),
-    ],
-)
-def test_what_is_refused(arguments, error, says):
-    with pytest.raises(error, match=says):
-        db.environments.ProcessEnvironment(*arguments)
-    for timeout in (0, -1, float("nan"), 1e7, 10**400):
-        with pytest.raises(ValueError, match="timeout must be"):
-            db.environments.ProcessEnvironment(["a"], SPACE, timeout=timeout)
-    with pytest.raises(TypeError, match="entry must be a string"):
-        db.environments.ProcessEnvironment(["a"], SPACE, entry=1)
-
-
 def test_the_output_may_be_long():
     long = program("print(json.dumps([0.5] * 200000))")
     assert long([0, 0]).shape == (200000,)
@@ -205,10 +184,6 @@ def test_nothing_stays_open(tmp_path):
     assert not any(Path("/proc", pid).exists() for pid in pids)
 
 
-def test_the_longest_time_out_is_one():
-    assert program(ECHO, timeout=1e6)([0.5, 0.25]).tolist() == [0.5, 0.25]
-
-
 def test_small_numbers_below_zero_are_no_options():
     code = (
         "import argparse; words = argparse.ArgumentParser(); "
@@ -216,10 +191,3 @@ def test_small_numbers_below_zero_are_no_options():
     )
     words = [sys.executable, "-S", "-c", code, "--"]
     assert db.environments.ProcessEnvironment(words, SPACE)([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]
-
-
-def test_it_is_copied_with_all_it_has():
-    double = program("print(json.dumps({'y': 2 * float(sys.argv[1])}))", entry="y")
-    again = pickle.loads(pickle.dumps(double))  # noqa: S301 - just written
-    assert again([0.25, 0]).tolist() == [0.5]
-    assert repr(again) == repr(double)

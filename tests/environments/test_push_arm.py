@@ -1,7 +1,6 @@
 """PushArm: laws of pushing over a thousand runs, cases worked out by hand, what arms promise."""
 
 import math
-import pickle
 
 import numpy as np
 import pytest
@@ -189,17 +188,6 @@ def test_the_engine_gives_the_same_bits():
     runs = [db.explore(arm, adapt, 400, rng=3, engine=engine) for engine in ("rust", "python")]
     assert np.array_equal(runs[0].effects, runs[1].effects)
     assert np.array_equal(runs[0].choices, runs[1].choices)
-
-
-def test_it_is_copied_with_all_it_has():
-    arm = db.environments.PushArm(
-        3, limit=2, obstacles=[db.environments.Disc([0, 0.8], 0.1)], ball=[0.4, 0.2]
-    )
-    again = pickle.loads(pickle.dumps(arm))  # noqa: S301 - just written
-    assert repr(again) == repr(arm)
-    command = [1.5, 0.2, 0.1]
-    assert np.array_equal(again(command), arm(command))
-    assert (again.sensory_space.high == arm.sensory_space.high).all()
 
 
 @pytest.mark.parametrize(

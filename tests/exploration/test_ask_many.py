@@ -70,14 +70,6 @@ def test_a_refused_list_leaves_no_trace(bad, known):
     assert len(explorer.history) == known + 3
 
 
-@pytest.mark.parametrize("n", [0, -1, 1.5, "3", True])
-def test_bad_numbers_of_trials(n):
-    explorer = new_explorer(db.MotorBabbling())
-    with pytest.raises((TypeError, ValueError), match=r"^n must be"):
-        explorer.ask(n)
-    assert explorer.open_trials == ()
-
-
 def test_an_empty_list_is_nothing():
     explorer = new_explorer(db.MotorBabbling())
     explorer.tell([], np.empty((0, 2)))

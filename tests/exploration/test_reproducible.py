@@ -19,10 +19,6 @@ def explored(rng, n=N):
     return bits(db.explore(ARM, ADAPT, n=n, rng=rng))
 
 
-def test_run_twice():
-    assert explored(5) == explored(5)
-
-
 def test_seeds_differ():
     assert len({explored(seed)[0] for seed in range(20)}) == 20
 
@@ -100,16 +96,3 @@ def test_a_result_half_way_does_not_disturb():
             half_way.commands[:] = 0
     assert bits(explorer.result()) == explored(2)
     assert len(half_way) == 251
-
-
-def test_the_same_through_any_environment_that_is_the_arm():
-    class Mine:
-        motor_space, sensory_space = ARM.motor_space, ARM.sensory_space
-
-        def __call__(self, command):
-            return ARM(command).tolist()
-
-    wrapped = db.FunctionEnvironment(ARM, ARM.motor_space, ARM.sensory_space)
-    expected = explored(3)
-    for environment in (Mine(), wrapped):
-        assert bits(db.explore(environment, ADAPT, n=N, rng=3)) == expected

@@ -5,7 +5,6 @@ Distances in these lines are those of `tests.reference.nearest`, which looks at 
 
 import copy
 import pickle
-from dataclasses import FrozenInstanceError, replace
 from itertools import product
 
 import numpy as np
@@ -193,18 +192,6 @@ def test_values_are_not_changed_by_what_they_start(sampler):
         assert other == goals
         assert hash(other) == hash(goals)
         assert drawn(other) == expected
-
-
-@every
-def test_a_value_is_its_arguments(sampler):
-    box = db.Box([0, 0], [1, 1])
-    goals = sampler(box=box)
-    names = {"Box": db.Box, **{name: getattr(db.goals, name) for name in db.goals.__all__}}
-    assert eval(repr(goals), names) == goals  # noqa: S307 - our own text
-    assert goals != sampler()
-    assert replace(goals, box=None) == sampler()
-    with pytest.raises(FrozenInstanceError):
-        goals.box = None
 
 
 @every

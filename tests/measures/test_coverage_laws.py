@@ -71,29 +71,6 @@ def test_gain_is_what_add_returns_and_changes_nothing(dim, points, new, tau):
 
 
 @every
-@given(points=effects, tau=radius)
-def test_extend_is_repeated_add_bit_for_bit(dim, points, tau):
-    one, many = empty(tau, dim), empty(tau, dim)
-    points = cut(points, dim)
-    gains = many.extend(points)
-    assert gains.tolist() == [one.add(point) for point in points] == many.gains.tolist()
-    assert np.array_equal(many.effects, points)
-    batch = db.coverage(points, tau, accuracy=0.03, rng=0)
-    assert many.measure == one.measure == batch
-
-
-@every
-@given(points=effects, tau=radius)
-def test_the_measure_is_the_sum_of_gains_and_never_shrinks(dim, points, tau):
-    cov, gains, last = empty(tau, dim), [], 0.0
-    for point in points:
-        gains.append(cov.add(point[:dim]))
-        assert cov.measure >= last
-        last = cov.measure
-    assert cov.measure == pytest.approx(math.fsum(gains), rel=1e-15)
-
-
-@every
 @given(points=effects, tau=radius, random=st.randoms(use_true_random=False))
 def test_the_measure_does_not_depend_on_the_order(dim, points, tau, random):
     one = covering(points, tau, dim)

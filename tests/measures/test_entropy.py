@@ -119,19 +119,6 @@ def test_too_many_cells_away():
     assert (len(entropy), entropy.measure) == (2, math.log(2))
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"cell": 0.0}, ValueError, "cell must be positive, got 0.0"),
-        ({"cell": [1.0, math.nan]}, ValueError, r"cell\[1\] must be finite, got NaN"),
-        ({"cell": 1.0, "origin": False}, TypeError, "origin must be a number, got bool"),
-    ],
-)
-def test_a_grid_says_what_is_wrong_with_it(arguments, error, message):
-    with pytest.raises(error, match=f"^{message}$"):
-        Entropy(**arguments)
-
-
 def test_a_dimension_that_does_not_fit():
     with pytest.raises(ValueError, match=r"^cell must have length 1, got 2$"):
         Entropy([1.0, 2.0]).start(1)

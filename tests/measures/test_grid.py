@@ -100,25 +100,6 @@ def test_too_many_cells_away(cell, origin, effect):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"cell": 0}, ValueError, "cell must be positive, got 0"),
-        ({"cell": [0.5, -1.0]}, ValueError, r"cell must be positive, got \[0.5, -1.0\]"),
-        ({"cell": math.nan}, ValueError, "cell must be a finite number"),
-        ({"cell": [0.5, math.inf]}, ValueError, r"cell\[1\] must be finite, got inf"),
-        ({"cell": True}, TypeError, "cell must be a number, got bool"),
-        ({"cell": "wide"}, TypeError, "cell must be an array of real numbers, got str"),
-        ({"cell": []}, ValueError, "cell must not be empty"),
-        ({"cell": 1.0, "origin": [[0.0]]}, ValueError, "origin must have shape"),
-        ({"cell": 1.0, "origin": None}, TypeError, "origin must be an array of real numbers"),
-    ],
-)
-def test_a_grid_says_what_is_wrong_with_it(arguments, error, message):
-    with pytest.raises(error, match=f"^{message}"):
-        GridCoverage(**arguments)
-
-
-@pytest.mark.parametrize(
     ("grid", "dim", "message"),
     [
         (GridCoverage([1.0, 2.0]), 3, "cell must have length 3, got 2"),

@@ -20,7 +20,7 @@ from divbandit.measures import (
     Sparseness,
 )
 from divbandit.measures.start import start_measure
-from tests.measures.every import COPIES, NAMES, VALUES, clustered, specified, started
+from tests.measures.every import NAMES, VALUES, clustered, specified, started
 
 # Multiples of a quarter meet borders of cells and each other; others lie anywhere.
 coordinate = st.integers(-8, 8).map(lambda k: k / 4) | st.floats(-2, 2)
@@ -160,58 +160,6 @@ def test_the_core_measures_as_what_is_started(name):
     assert running.gain(points).tolist() == measure.gain(points).tolist()
     assert running.extend(points).tolist() == measure.extend(points).tolist()
     assert (running.measure, len(running)) == (measure.measure, len(measure))
-
-
-@every_value
-def test_starts_each_time_with_nothing(name):
-    value, dim = VALUES[name]
-    points = clustered(dim)
-    first = value.start(dim).extend(points)
-    assert value.start(dim).extend(points).tolist() == first.tolist()
-
-
-@every_value
-@pytest.mark.parametrize("way", COPIES)
-def test_copies_are_equal_and_start_alike(name, way):
-    value, dim = VALUES[name]
-    other = COPIES[way](value)
-    assert other == value
-    assert hash(other) == hash(value)
-    assert repr(other) == repr(value)
-    points = clustered(dim)
-    assert other.start(dim).extend(points).tolist() == value.start(dim).extend(points).tolist()
-
-
-@every_value
-def test_repr_can_be_evaluated(name):
-    value, _ = VALUES[name]
-    assert eval(repr(value)) == value  # noqa: S307 - its own words
-
-
-def test_values_differ_by_their_fields():
-    assert len({value for value, _ in VALUES.values()}) == len(VALUES) - 1  # one is there twice
-    assert GridCoverage(0.25) != Entropy(0.25)
-    assert GridCoverage(1) == GridCoverage(np.float64(1.0))
-    assert GridCoverage([1, 2]) == GridCoverage(np.array([1.0, 2.0]))
-
-
-@every_value
-def test_a_value_cannot_be_changed(name):
-    value, _ = VALUES[name]
-    with pytest.raises(AttributeError):
-        value.tau = 0.5
-    with pytest.raises(AttributeError):
-        value.cell = 0.5
-
-
-@every_value
-@pytest.mark.parametrize(
-    ("dim", "error"), [(0, ValueError), (-1, ValueError), (2.0, TypeError), (True, TypeError)]
-)
-def test_a_dimension_is_a_whole_number_from_1_on(name, dim, error):
-    value, _ = VALUES[name]
-    with pytest.raises(error, match=r"^dim must be "):
-        value.start(dim)
 
 
 @pytest.mark.parametrize("kind", [BallCoverage, GridCoverage, Sparseness, Entropy])

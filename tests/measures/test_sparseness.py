@@ -84,24 +84,6 @@ def test_too_far_effects_are_refused(far):
     assert sparseness.gain([1.0, 2.0]) == 1.0
 
 
-def test_there_is_no_largest_gain():
-    assert Sparseness().start(2).largest_gain == 0.0
-
-
-@pytest.mark.parametrize(
-    ("k", "error", "message"),
-    [
-        (0, ValueError, "k must be from 1 to 4294967295, got 0"),
-        (2**32, ValueError, "k must be from 1 to 4294967295, got 4294967296"),
-        (1.0, TypeError, "k must be a whole number, got float"),
-        (True, TypeError, "k must be a whole number, got bool"),
-    ],
-)
-def test_k_is_a_whole_number(k, error, message):
-    with pytest.raises(error, match=f"^{message}$"):
-        Sparseness(k)
-
-
 def test_says_what_it_is():
     assert (repr(Sparseness()), repr(Sparseness(3))) == ("Sparseness()", "Sparseness(3)")
     sparseness = Sparseness(3).start(2)

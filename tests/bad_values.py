@@ -122,14 +122,7 @@ COUNTS = {
     "object": object(),
 }
 
-FLAGS = {
-    "1": 1,
-    "0.0": 0.0,
-    "None": None,
-    "text": "yes",
-    "a list": [True],
-    "object": object(),
-}
+FLAGS = {"1": 1, "0.0": 0.0, "None": None, "text": "yes", "a list": [True], "object": object()}
 
 WRONG_SPACES = {
     "a number": 5,

@@ -5,13 +5,7 @@ import math
 import numpy as np
 from numpy import random
 
-BIT_GENERATORS = (
-    random.PCG64,
-    random.PCG64DXSM,
-    random.MT19937,
-    random.Philox,
-    random.SFC64,
-)
+BIT_GENERATORS = (random.PCG64, random.PCG64DXSM, random.MT19937, random.Philox, random.SFC64)
 
 
 def twins(bit_generator, seed=0):

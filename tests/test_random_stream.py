@@ -7,6 +7,7 @@ import pytest
 
 import divbandit as db
 from divbandit._core import Bounds
+from divbandit.inverse import Nearest
 from tests.generators import BIT_GENERATORS, state, twins
 
 LOW, HIGH = np.array([-1.0, 0.0, 5.0]), np.array([1.0, 0.25, 5.0])
@@ -47,7 +48,7 @@ def observed_history():
 @pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
 def test_draws_are_the_generators_own_and_leave_its_state(bit_generator):
     rng, plain = twins(bit_generator)
-    box, history, model = db.Box(LOW, HIGH), observed_history(), db.inverse.Nearest(0.1)
+    box, history, model = db.Box(LOW, HIGH), observed_history(), Nearest(0.1)
     for _ in range(300):
         assert box.sample(rng).tolist() == uniform(LOW, HIGH, plain).tolist()
         assert rng.random() == plain.random()
@@ -68,7 +69,7 @@ def test_the_lock_is_free_afterwards(bit_generator):
     lock, history = rng.bit_generator.lock, observed_history()
     db.Box(LOW, HIGH).sample(rng)
     assert is_free(lock)
-    db.inverse.Nearest(0.1).command([0.6], history, rng)
+    Nearest(0.1).command([0.6], history, rng)
     assert is_free(lock)
 
 
@@ -76,8 +77,8 @@ def test_the_lock_is_free_afterwards(bit_generator):
 @pytest.mark.parametrize(
     "fail",
     [
-        lambda history, rng: db.inverse.Nearest().command([0.5, 0.5], history, rng),
-        lambda history, rng: db.inverse.Nearest().command([np.nan], history, rng),
+        lambda history, rng: Nearest().command([0.5, 0.5], history, rng),
+        lambda history, rng: Nearest().command([np.nan], history, rng),
         lambda history, rng: history.motor_space.bounds.perturb([9, 9, 9], 0.1, rng),
         lambda history, rng: history.motor_space.bounds.perturb([0, 0, 5], -1, rng),
     ],

@@ -7,17 +7,13 @@ import pytest
 
 import divbandit as db
 from divbandit.bandits import Gain
+from divbandit.measures import BallCoverage, Entropy, GridCoverage, Sparseness
 from tests.bandits.beliefs import replay
 from tests.bandits.script import Drive, both_engines
 
 ARM = db.PlanarArm(20)
 RMB, RGB = db.MotorBabbling, db.GoalBabbling
-MEASURES = (
-    db.measures.BallCoverage(0.05),
-    db.measures.GridCoverage(0.05),
-    db.measures.Sparseness(3),
-    db.measures.Entropy(0.2),
-)
+MEASURES = (BallCoverage(0.05), GridCoverage(0.05), Sparseness(3), Entropy(0.2))
 
 
 @both_engines
@@ -36,7 +32,7 @@ def test_a_run_equals_its_replay_and_is_reproducible(measure, engine):
 def test_the_default_is_coverage_with_the_papers_tau(engine):
     runs = [
         db.explore(ARM, db.Adapt([RMB(), RGB(0.05)], **by), n=400, rng=1, engine=engine)
-        for by in ({}, {"tau": 0.02}, {"reward": Gain(db.measures.BallCoverage(0.02))})
+        for by in ({}, {"tau": 0.02}, {"reward": Gain(BallCoverage(0.02))})
     ]
     assert len({run.commands.tobytes() for run in runs}) == 1
     assert len({run.estimates.tobytes() for run in runs}) == 1
@@ -44,7 +40,7 @@ def test_the_default_is_coverage_with_the_papers_tau(engine):
 
 def by_entropy(engine, *steps):
     """Return a Drive of three strategies by entropy, after steps (index, new)."""
-    entropy = Gain(db.measures.Entropy(1.0))
+    entropy = Gain(Entropy(1.0))
     run = Drive(engine, 3, reward=entropy, window=1, head_start=0, alpha=0.1)
     for index, new in steps:
         run.step(index, new=new)
@@ -137,7 +133,7 @@ def test_gains_that_are_not_finite_are_refused(bad):
 
 
 def test_it_is_shown_with_its_reward():
-    grid = db.measures.GridCoverage(0.5)
+    grid = GridCoverage(0.5)
     adapt = db.Adapt([RMB()], reward=Gain(grid))
     assert repr(adapt) == "Adapt([MotorBabbling()], reward=Gain(GridCoverage(0.5)))"
     assert adapt.tau is None

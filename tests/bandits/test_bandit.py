@@ -26,12 +26,13 @@ from divbandit.bandits import (
     WholePast,
     Window,
 )
+from divbandit.measures import BallCoverage, Entropy, GridCoverage, Sparseness
 from tests.bandits.script import both_engines
 from tests.generators import state
 
 ARM = db.PlanarArm(4)
 RMB, RGB = db.MotorBabbling, db.GoalBabbling
-GRID = db.measures.GridCoverage
+GRID = GridCoverage
 
 
 def height(effect, history):
@@ -40,10 +41,10 @@ def height(effect, history):
 
 
 REWARDS = (
-    Gain(db.measures.BallCoverage(0.1)),
+    Gain(BallCoverage(0.1)),
     Gain(GRID(0.2)),
-    Gain(db.measures.Entropy(0.2)),
-    Gain(db.measures.Sparseness(2)),
+    Gain(Entropy(0.2)),
+    Gain(Sparseness(2)),
     CompetenceProgress(),
     FunctionReward(height, bound=1.0),
     height,
@@ -148,7 +149,7 @@ def test_competence_progress_by_hand():
 
 def test_a_gain_counts_the_effects_of_others_before():
     history = db.History(db.Box([0], [1]))
-    reward, trial = Gain(db.measures.BallCoverage(1.0)).start(2), db.Trial([0.5])
+    reward, trial = Gain(BallCoverage(1.0)).start(2), db.Trial([0.5])
     gains = []
     for others, effect in ((0, [0.0, 0.0]), (1, [0.0, 0.0]), (2, [5.0, 0.0]), (0, [9.0, 0.0])):
         for _ in range(others):

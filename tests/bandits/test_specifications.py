@@ -119,10 +119,7 @@ def test_policies(value, estimator, parts, largest, seed, steps):
     assert state(rng) == state(other) == state(third)
 
 
-@given(
-    st.lists(st.floats(0.0, 1e3), min_size=1, max_size=6),
-    st.floats(0.0, 1.0, exclude_max=True),
-)
+@given(st.lists(st.floats(0.0, 1e3), min_size=1, max_size=6), st.floats(0.0, 1.0, exclude_max=True))
 def test_proportionally(weights, u):
     assert _core.proportionally(weights, u) == policies.proportionally(weights, u)
 

@@ -7,7 +7,15 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit.controllers import ViaPoints
+from divbandit.controllers import (
+    Controller,
+    FunctionController,
+    MovementPrimitives,
+    OpenLoop,
+    Tracking,
+    Trajectories,
+    ViaPoints,
+)
 
 
 class Ramp:
@@ -29,7 +37,7 @@ def last_two(seen):
 
 def tracking(primitives=None, **options):
     usual = {"dt": 0.5, "stiffness": 2.0, "damping": 0.25}
-    return db.controllers.Tracking(primitives or Ramp(), first_two, last_two, **usual | options)
+    return Tracking(primitives or Ramp(), first_two, last_two, **usual | options)
 
 
 def pure(errors, speeds, stiffness, damping):
@@ -70,7 +78,7 @@ def test_actions_are_limited_either_way():
 def test_a_body_without_friction_follows():
     """A mass of 1 on each joint, integrated in small steps, ends where it is led."""
     points = ViaPoints([-1, -1], [1, 1], steps=50, points=2)
-    pd = db.controllers.Tracking(points, first_two, last_two, dt=0.1, stiffness=40.0, damping=12.0)
+    pd = Tracking(points, first_two, last_two, dt=0.1, stiffness=40.0, damping=12.0)
     command = np.array([0.5, -0.5, -0.75, 0.25])
     act, q, v = pd.begin(command), np.zeros(2), np.zeros(2)
     for step in range(60):
@@ -102,7 +110,7 @@ def test_turns_are_counted(way):
 
 def test_turns_begin_nearest_to_the_start():
     points = ViaPoints([-9], [9], steps=4, start=[6.5])
-    pd = db.controllers.Tracking(
+    pd = Tracking(
         points,
         lambda seen: seen[:1],
         lambda seen: seen[1:],
@@ -126,19 +134,17 @@ def test_episodes_of_one_controller_do_not_disturb_each_other():
 
 
 def test_open_loop_plays_rows_and_stays_at_the_last():
-    act = db.controllers.OpenLoop(Ramp()).begin(np.array([1.0, -2.0]))
+    act = OpenLoop(Ramp()).begin(np.array([1.0, -2.0]))
     played = [act(step, "not looked at").tolist() for step in range(5)]
     assert played == [[0, 0], [0.5, -1], [1, -2], [1, -2], [1, -2]]
 
 
 def test_a_function_gets_command_step_and_observation():
     given = []
-    controller = db.controllers.FunctionController(
-        lambda *all_: given.append(all_), db.Box([0], [1])
-    )
+    controller = FunctionController(lambda *all_: given.append(all_), db.Box([0], [1]))
     controller.begin("command")(7, "observation")
     assert given == [("command", 7, "observation")]
-    assert isinstance(controller, db.controllers.Controller)
+    assert isinstance(controller, Controller)
 
 
 def test_via_points_goes_through_them_and_rests_there():
@@ -168,9 +174,7 @@ def test_via_points_of_many_commands():
     assert points.trajectory(commands[:0]).shape == (0, 8, 2)
 
 
-@pytest.mark.parametrize(
-    "make", [tracking, db.controllers.OpenLoop, lambda p: tracking(p, turns=True)]
-)
+@pytest.mark.parametrize("make", [tracking, OpenLoop, lambda p: tracking(p, turns=True)])
 @pytest.mark.parametrize(
     ("rows", "error", "says"),
     [
@@ -192,7 +196,7 @@ def test_readings_must_be_callable_and_fit():
     for name in ("positions", "velocities"):
         readings = {"positions": first_two, "velocities": last_two} | {name: 3}
         with pytest.raises(TypeError, match=f"{name} must be callable, got int"):
-            db.controllers.Tracking(Ramp(), **readings, dt=1, stiffness=1, damping=1)
+            Tracking(Ramp(), **readings, dt=1, stiffness=1, damping=1)
     act = tracking().begin(np.zeros(2))
     with pytest.raises(ValueError, match="positions"):
         act(0, np.zeros(1))
@@ -205,11 +209,7 @@ def test_readings_must_be_callable_and_fit():
 
 
 def test_primitives_of_the_library_make_trajectories():
-    for primitives in (
-        db.controllers.MovementPrimitives(2),
-        ViaPoints([0, 0], [1, 1], steps=3),
-        Ramp(),
-    ):
-        assert isinstance(primitives, db.controllers.Trajectories)
-        assert isinstance(tracking(primitives), db.controllers.Controller)
+    for primitives in (MovementPrimitives(2), ViaPoints([0, 0], [1, 1], steps=3), Ramp()):
+        assert isinstance(primitives, Trajectories)
+        assert isinstance(tracking(primitives), Controller)
         assert tracking(primitives).motor_space == primitives.motor_space

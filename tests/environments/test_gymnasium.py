@@ -14,6 +14,8 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.controllers import FunctionController
+from divbandit.environments import GymnasiumEnvironment
 from tests.environments.small_envs import HOLD, Cart, cart, last
 
 COMMANDS = np.random.default_rng(5).uniform(-1, 1, (23, 2))
@@ -86,9 +88,7 @@ def test_the_policy_sees_each_step_and_the_observation_before_it():
         seen.append((step, observation))
         return command
 
-    episode = cart(controller=db.controllers.FunctionController(look, HOLD.motor_space)).episode(
-        [0.1, 0.2]
-    )
+    episode = cart(controller=FunctionController(look, HOLD.motor_space)).episode([0.1, 0.2])
     assert [step for step, _ in seen] == list(range(8))
     # Each was kept: the environment writes over what it returned.
     np.testing.assert_array_equal(
@@ -100,9 +100,9 @@ def test_other_spaces_than_boxes():
     def turn(command, _, observation):
         return int(command[0] > observation / 9)
 
-    walk = db.environments.GymnasiumEnvironment(
+    walk = GymnasiumEnvironment(
         "FrozenLake-v1",
-        db.controllers.FunctionController(turn, db.Box([0], [1])),
+        FunctionController(turn, db.Box([0], [1])),
         lambda episode: [episode.observations[-1], len(episode)],
         steps=20,
         seed=0,
@@ -110,9 +110,9 @@ def test_other_spaces_than_boxes():
     assert walk.episode([0.5]).observations[0] == 0
     effects = walk(np.linspace(0, 1, 9)[:, None])
     assert len({tuple(effect) for effect in effects.tolist()}) > 1
-    wild = db.controllers.FunctionController(lambda *_: 9, db.Box([0], [1]))
+    wild = FunctionController(lambda *_: 9, db.Box([0], [1]))
     with pytest.raises(ValueError, match=r"action must be a member of Discrete\(4\), got 9"):
-        db.environments.GymnasiumEnvironment("FrozenLake-v1", wild, last, 5, 0)([0])
+        GymnasiumEnvironment("FrozenLake-v1", wild, last, 5, 0)([0])
 
 
 # What is refused.
@@ -152,9 +152,7 @@ def test_what_turns_out_to_be_wrong(wrong, error, says):
     ],
 )
 def test_actions_that_are_none(action, error, says):
-    environment = cart(
-        controller=db.controllers.FunctionController(lambda *_: action, HOLD.motor_space)
-    )
+    environment = cart(controller=FunctionController(lambda *_: action, HOLD.motor_space))
     with pytest.raises(error, match=says):
         environment([0, 0])
 
@@ -226,7 +224,7 @@ def test_threads_in_an_episode_have_an_environment_each(counted):
             both.wait()
         return command
 
-    meeting = replace(counted, controller=db.controllers.FunctionController(meet, HOLD.motor_space))
+    meeting = replace(counted, controller=FunctionController(meet, HOLD.motor_space))
     with ThreadPoolExecutor(2) as threads:
         effects = list(threads.map(meeting, COMMANDS[:8]))
     assert Counted.made == 2

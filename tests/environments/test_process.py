@@ -12,13 +12,14 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.environments import ProcessEnvironment
 
 SPACE = db.Box([-1, -1], [1, 1])
 
 
 def program(code, **options):
     words = [sys.executable, "-S", "-c", f"import json, os, sys, time; {code}"]
-    return db.environments.ProcessEnvironment(words, SPACE, **{"timeout": 60.0} | options)
+    return ProcessEnvironment(words, SPACE, **{"timeout": 60.0} | options)
 
 
 ECHO = "print([float(x) for x in sys.argv[1:]])"
@@ -39,7 +40,7 @@ def test_a_number_and_an_entry_are_effects():
 
 def test_words_are_no_shell():
     words = [sys.executable, "-S", "-c", "import sys; print(len(sys.argv))", "$HOME; a  b", "*"]
-    assert db.environments.ProcessEnvironment(words, SPACE)([0, 0]).tolist() == [5.0]
+    assert ProcessEnvironment(words, SPACE)([0, 0]).tolist() == [5.0]
 
 
 @pytest.mark.parametrize(
@@ -74,7 +75,7 @@ def test_a_missing_entry_is_named():
 
 def test_a_missing_program_is_said():
     with pytest.raises(FileNotFoundError):
-        db.environments.ProcessEnvironment(["/nowhere/at/all"], SPACE)([0, 0])
+        ProcessEnvironment(["/nowhere/at/all"], SPACE)([0, 0])
 
 
 def test_an_effect_of_another_dimension_is_refused():
@@ -106,7 +107,7 @@ def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
         "open(sys.argv[1], 'w').write(f'{os.getpid()} {child.pid}'); time.sleep(600)"
     )
     words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pids")]
-    slow = db.environments.ProcessEnvironment(words, SPACE, timeout=3.0)
+    slow = ProcessEnvironment(words, SPACE, timeout=3.0)
     with pytest.raises(TimeoutError, match=r"within timeout = 3.0 s"):
         slow([0, 0])
     pids = [int(pid) for pid in (tmp_path / "pids").read_text(encoding="utf-8").split()]
@@ -117,7 +118,7 @@ def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
 def test_an_interrupted_evaluation_leaves_nothing(tmp_path):
     code = "open(sys.argv[1], 'w').write(str(os.getpid())); time.sleep(600)"
     words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pid")]
-    slow = db.environments.ProcessEnvironment(words, SPACE)
+    slow = ProcessEnvironment(words, SPACE)
 
     def interrupt():
         while not (tmp_path / "pid").is_file() or not (tmp_path / "pid").read_text():
@@ -160,7 +161,7 @@ def test_output_without_end_is_refused():
 def test_what_closes_its_output_still_has_to_end(tmp_path):
     code = "open(sys.argv[1], 'w').write(str(os.getpid())); os.close(1); os.close(2); "
     words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}time.sleep(600)"]
-    quiet = db.environments.ProcessEnvironment([*words, str(tmp_path / "pid")], SPACE, timeout=2.0)
+    quiet = ProcessEnvironment([*words, str(tmp_path / "pid")], SPACE, timeout=2.0)
     with pytest.raises(TimeoutError, match=r"within timeout = 2.0 s"):
         quiet([0, 0])
     assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))
@@ -190,4 +191,4 @@ def test_small_numbers_below_zero_are_no_options():
         "words.add_argument('x', type=float, nargs=2); print(words.parse_args().x)"
     )
     words = [sys.executable, "-S", "-c", code, "--"]
-    assert db.environments.ProcessEnvironment(words, SPACE)([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]
+    assert ProcessEnvironment(words, SPACE)([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]

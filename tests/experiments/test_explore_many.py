@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.experiments import Task
 from tests.compositions import compositions
 from tests.generators import state
 from tests.threads import at_once
 
 ARM = db.PlanarArm(5)
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], window=10)
-SHORT = db.experiments.Task(ARM, ADAPT, n=30)
+SHORT = Task(ARM, ADAPT, n=30)
 
 
 class Backwards(db.Strategy):
@@ -49,7 +50,7 @@ def test_the_same_bits_as_a_plain_loop(jobs):
     """All share one environment, and each strategy is shared by two tasks of other lengths."""
     strategies = [*compositions().values(), Backwards()]
     tasks = [
-        db.experiments.Task(ARM, strategy, n, rng=seed)
+        Task(ARM, strategy, n, rng=seed)
         for n in (120, 40)
         for seed, strategy in enumerate(strategies)
     ]
@@ -62,7 +63,7 @@ def test_an_environment_in_python_shared_by_threads(jobs):
     square = db.FunctionEnvironment(
         lambda x: x**2, db.Box([-1, -1], [1, 1]), db.Box([0, 0], [1, 1])
     )
-    tasks = [*db.experiments.Task(square, ADAPT, n=50).over(range(12))]
+    tasks = [*Task(square, ADAPT, n=50).over(range(12))]
     plain = [bits(db.explore(square, ADAPT, n=50, rng=seed)) for seed in range(12)]
     assert explored(tasks, jobs=jobs) == plain
 
@@ -121,8 +122,8 @@ def test_they_come_as_they_finish():
         return x
 
     box = db.Box([0], [1])
-    waiting = db.experiments.Task(db.FunctionEnvironment(patient, box), db.MotorBabbling(), n=1)
-    quick = db.experiments.Task(db.FunctionEnvironment(lambda x: x, box), db.MotorBabbling(), n=1)
+    waiting = Task(db.FunctionEnvironment(patient, box), db.MotorBabbling(), n=1)
+    quick = Task(db.FunctionEnvironment(lambda x: x, box), db.MotorBabbling(), n=1)
     places = []
     for place, _ in db.explore_many([waiting, quick], jobs=2):
         places.append(place)

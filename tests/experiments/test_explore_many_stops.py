@@ -10,6 +10,7 @@ import time
 import pytest
 
 import divbandit as db
+from divbandit.experiments import Task
 
 BOX = db.Box([0], [1])
 ENDLESS = 3_000_000  # steps: half a minute, so that a test fails rather than hangs
@@ -47,7 +48,7 @@ def failing(after, error):
         assert after.event.wait(60)
         raise error
 
-    return db.experiments.Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
+    return Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
 
 
 @pytest.fixture
@@ -59,7 +60,7 @@ def begun():
 
 @pytest.fixture
 def endless(begun):
-    return db.experiments.Task(begun, db.MotorBabbling(), ENDLESS)
+    return Task(begun, db.MotorBabbling(), ENDLESS)
 
 
 @pytest.fixture
@@ -70,7 +71,7 @@ def quick(begun):
         assert begun.event.wait(60)
         return x
 
-    return db.experiments.Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
+    return Task(db.FunctionEnvironment(f, BOX), db.MotorBabbling(), n=3)
 
 
 @pytest.fixture(autouse=True)
@@ -169,7 +170,7 @@ def test_what_is_no_task_stops_the_others(begun, endless):
 
 
 def test_an_error_in_an_argument_of_a_task_names_it(endless):
-    wrong = db.experiments.Task(endless.environment, endless.strategy, n=0)
+    wrong = Task(endless.environment, endless.strategy, n=0)
     with pytest.raises(ValueError, match="n must be at least 1, got 0"):
         list(db.explore_many([endless, wrong], jobs=2))
 

@@ -146,11 +146,7 @@ STRATEGIES = {
         "FunctionReward",
     ),
     "a reward": (db.Adapt([RMB, RGB], reward=Far()), "strategy.reward", "Far"),
-    "a measure": (
-        bandit(tau=None, reward=bandits.Gain(Far())),
-        "strategy.reward.measure",
-        "Far",
-    ),
+    "a measure": (bandit(tau=None, reward=bandits.Gain(Far())), "strategy.reward.measure", "Far"),
     "an estimator": (bandit(estimator=Newest()), "strategy.estimator", "Newest"),
     "a policy": (
         db.Mixture([RMB, bandit(policy=Chance())]),

@@ -6,6 +6,7 @@ from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
 import divbandit as db
+from divbandit.bandits import UCB, CompetenceProgress, WholePast
 from tests.compositions import bandits, composed
 from tests.exploration.chosen_stream import BELOW_ONE, MOST, stream
 from tests.exploration.random_compositions import compositions as random_compositions
@@ -98,12 +99,9 @@ def shared_adapt():
 def progress_twice():
     """Return bandits that are paid the same progress, of which each goal counts for its own."""
     inner = db.Bandit(
-        [RGB(0.5), RGB(0.01)],
-        reward=db.bandits.CompetenceProgress(),
-        estimator=db.bandits.WholePast(),
-        policy=db.bandits.UCB(),
+        [RGB(0.5), RGB(0.01)], reward=CompetenceProgress(), estimator=WholePast(), policy=UCB()
     )
-    return db.Adapt([inner, RGB(0.05), inner], reward=db.bandits.CompetenceProgress(), window=5)
+    return db.Adapt([inner, RGB(0.05), inner], reward=CompetenceProgress(), window=5)
 
 
 def ties():

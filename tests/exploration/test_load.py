@@ -21,8 +21,7 @@ def test_pickles_are_not_opened(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "content",
-    [npz(), npz(a=np.zeros(3)), npz(commands=np.zeros((3, 2)), effects=np.zeros((3, 2)))],
+    "content", [npz(), npz(a=np.zeros(3)), npz(commands=np.zeros((3, 2)), effects=np.zeros((3, 2)))]
 )
 def test_a_foreign_npz(content, tmp_path):
     refused(tmp_path / "run", content)

@@ -14,6 +14,14 @@ from hypothesis import strategies as st
 from scipy import stats
 
 import divbandit as db
+from divbandit.goals import (
+    FrontierGoals,
+    GridGoals,
+    NovelGoals,
+    UncoveredGoals,
+    UniformGoals,
+    UntriedGoals,
+)
 from tests.generators import state
 from tests.known import SEEDS, histories
 from tests.reference import grid_goals
@@ -25,12 +33,12 @@ EXACT = settings(max_examples=150, deadline=None, derandomize=True)
 LEVEL = 1e-4
 
 SAMPLERS = {
-    "uniform": db.goals.UniformGoals,
-    "grid": lambda **box: db.goals.GridGoals(3, **box),
-    "uncovered": lambda **box: db.goals.UncoveredGoals(0.1, **box),
-    "frontier": lambda **box: db.goals.FrontierGoals(0.1, **box),
-    "novel": lambda **box: db.goals.NovelGoals(3, **box),
-    "untried": lambda **box: db.goals.UntriedGoals(0.1, **box),
+    "uniform": UniformGoals,
+    "grid": lambda **box: GridGoals(3, **box),
+    "uncovered": lambda **box: UncoveredGoals(0.1, **box),
+    "frontier": lambda **box: FrontierGoals(0.1, **box),
+    "novel": lambda **box: NovelGoals(3, **box),
+    "untried": lambda **box: UntriedGoals(0.1, **box),
 }
 every = pytest.mark.parametrize("sampler", SAMPLERS.values(), ids=SAMPLERS)
 
@@ -52,7 +60,7 @@ def same(goal, expected, rng, plain):
 @EXACT
 def test_uncovered_goals(history, tau, tries, seed):
     rng, plain = streams(seed)
-    goal = db.goals.UncoveredGoals(tau, tries=tries).sample(history, rng)
+    goal = UncoveredGoals(tau, tries=tries).sample(history, rng)
     for _ in range(tries):
         expected = history.sensory_space.sample(plain)
         if far(history, expected) > tau:
@@ -64,7 +72,7 @@ def test_uncovered_goals(history, tau, tries, seed):
 @EXACT
 def test_novel_goals(history, candidates, seed):
     rng, plain = streams(seed)
-    goal = db.goals.NovelGoals(candidates).sample(history, rng)
+    goal = NovelGoals(candidates).sample(history, rng)
     drawn = [history.sensory_space.sample(plain) for _ in range(candidates)]
     same(goal, max(drawn, key=lambda each: far(history, each)), rng, plain)
 
@@ -73,7 +81,7 @@ def test_novel_goals(history, candidates, seed):
 @EXACT
 def test_frontier_goals(history, tau, reach, tries, seed):
     rng, plain = streams(seed)
-    goal = db.goals.FrontierGoals(tau, reach=reach, tries=tries).sample(history, rng)
+    goal = FrontierGoals(tau, reach=reach, tries=tries).sample(history, rng)
     box = history.sensory_space
     for _ in range(tries):
         centre = history.effects[int(plain.random() * len(history))]
@@ -93,7 +101,7 @@ def test_frontier_goals(history, tau, reach, tries, seed):
 def test_grid_goals(history, cells, each, seed):
     rng, plain = streams(seed)
     counts = [1 + (cells + j) % 4 for j in range(history.effect_dim)] if each else cells
-    goals = db.goals.GridGoals(counts).start(history)
+    goals = GridGoals(counts).start(history)
     expected = grid_goals.GridGoals(counts, history.sensory_space)
     for _ in range(30):
         assert goals.sample(history, rng).tolist() == expected.sample(plain)
@@ -104,7 +112,7 @@ def test_grid_goals(history, cells, each, seed):
 @EXACT
 def test_what_is_known_of_a_growing_history(history, tau, seed):
     """A sampler at work remembers what is covered; its goals are those of one that does not."""
-    for value in (db.goals.UncoveredGoals(tau), db.goals.FrontierGoals(tau)):
+    for value in (UncoveredGoals(tau), FrontierGoals(tau)):
         sampler = value.start(history)
         rng, plain = streams(seed)
         for _ in range(20):
@@ -118,7 +126,7 @@ def test_frontier_goals_are_at_such_distances_and_uncovered():
     history = db.History(db.Box([0], [1]), db.Box([-9] * 3, [9] * 3))
     for effect in [[0, 0, 0], [0, 0.1, 0], [2, 2, 2]]:
         history.append([0.5], effect)
-    goals, rng = db.goals.FrontierGoals(0.5, reach=4.0).start(history), np.random.default_rng(0)
+    goals, rng = FrontierGoals(0.5, reach=4.0).start(history), np.random.default_rng(0)
     found = np.array([far(history, goals.sample(history, rng)) for _ in range(2000)])
     assert 0.5 < found.min() < 0.51
     assert 1.95 < found.max() <= 2.0 + 1e-12
@@ -127,7 +135,7 @@ def test_frontier_goals_are_at_such_distances_and_uncovered():
 @pytest.mark.parametrize("cells", [1, 4, [1, 5], [3, 2]])
 def test_a_round_of_a_grid_has_a_goal_in_each_cell(cells):
     history = db.History(db.Box([0], [1]), db.Box([-1, 10], [1, 20]))
-    goals, rng = db.goals.GridGoals(cells).start(history), np.random.default_rng(0)
+    goals, rng = GridGoals(cells).start(history), np.random.default_rng(0)
     shape = [cells] * 2 if isinstance(cells, int) else cells
     for _ in range(3):
         drawn = [goals.sample(history, rng) for _ in range(shape[0] * shape[1])]
@@ -138,7 +146,7 @@ def test_a_round_of_a_grid_has_a_goal_in_each_cell(cells):
 
 def test_cells_come_in_random_order_and_goals_are_uniform_in_them():
     history = db.History(db.Box([0], [1]), db.Box([0], [1]))
-    goals, rng = db.goals.GridGoals(3).start(history), np.random.default_rng(0)
+    goals, rng = GridGoals(3).start(history), np.random.default_rng(0)
     drawn = np.array([[goals.sample(history, rng)[0] for _ in range(3)] for _ in range(3000)])
     orders = [tuple(row) for row in (drawn * 3).astype(int).tolist()]
     _, counts = np.unique(orders, axis=0, return_counts=True)
@@ -148,7 +156,7 @@ def test_cells_come_in_random_order_and_goals_are_uniform_in_them():
 
 
 def test_the_same_grid_for_boxes_of_other_dimensions():
-    goals, rng = db.goals.GridGoals(2), np.random.default_rng(0)
+    goals, rng = GridGoals(2), np.random.default_rng(0)
     for s in (1, 2, 1, 3):
         history = db.History(db.Box([0], [1]), db.Box([0] * s, [1] * s))
         sampler = goals.start(history)
@@ -229,11 +237,11 @@ def test_driven_by_hand_what_does_not_fit_is_refused_and_nothing_drawn(sampler):
 
 def test_cells_of_another_dimension_are_refused():
     with pytest.raises(ValueError, match="cells must be one number or 2"):
-        db.goals.GridGoals([1, 2, 3], box=db.Box([0, 0], [1, 1]))
+        GridGoals([1, 2, 3], box=db.Box([0, 0], [1, 1]))
     with pytest.raises(ValueError, match="cells must be one number or 2"):
-        db.explore(db.PlanarArm(3), db.GoalBabbling(goals=db.goals.GridGoals([1, 2, 3])), n=1)
+        db.explore(db.PlanarArm(3), db.GoalBabbling(goals=GridGoals([1, 2, 3])), n=1)
     with pytest.raises(ValueError, match="cells must be at most 10000000 altogether"):
-        db.goals.GridGoals(10_000, box=db.Box([0, 0], [1, 1]))
+        GridGoals(10_000, box=db.Box([0, 0], [1, 1]))
 
 
 def test_extreme_effects_and_boxes():

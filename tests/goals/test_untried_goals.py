@@ -5,6 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import divbandit as db
+from divbandit.goals import UntriedGoals
 from tests.generators import state
 from tests.known import SEEDS, histories
 from tests.reference.nearest import nearest
@@ -35,17 +36,12 @@ def plainly(history, counts, rng, tau, candidates, tries, reach):
 
 
 @given(
-    histories(),
-    TAUS,
-    st.integers(1, 8),
-    st.integers(1, 8),
-    st.sampled_from([1.0, 1.5, 4.0]),
-    SEEDS,
+    histories(), TAUS, st.integers(1, 8), st.integers(1, 8), st.sampled_from([1.0, 1.5, 4.0]), SEEDS
 )
 @settings(max_examples=100, deadline=None, derandomize=True)
 def test_goals_are_those_of_a_plain_search(history, tau, candidates, tries, reach, seed):
     rng, plain = np.random.default_rng(seed), np.random.default_rng(seed)
-    value = db.goals.UntriedGoals(tau, candidates=candidates, tries=tries, reach=reach)
+    value = UntriedGoals(tau, candidates=candidates, tries=tries, reach=reach)
     goals = value.start(history)
     counts = [0] * 200
     for _ in range(8):
@@ -68,13 +64,13 @@ def line():
 
 def test_effects_take_turns():
     history, rng = line(), np.random.default_rng(0)
-    goals = db.goals.UntriedGoals(0.1, reach=1.0).start(history)
+    goals = UntriedGoals(0.1, reach=1.0).start(history)
     drawn = [round(float(goals.sample(history, rng)[0]), 12) for _ in range(20)]
     assert all(set(drawn[i : i + 2]) == {0.1, 0.9} for i in range(0, 20, 2))
 
 
 def test_what_was_counted_belongs_to_one_start():
-    goals, history = db.goals.UntriedGoals(0.1), line()
+    goals, history = UntriedGoals(0.1), line()
 
     def drawn():
         at_work, rng = goals.start(history), np.random.default_rng(3)
@@ -88,5 +84,5 @@ def test_what_was_counted_belongs_to_one_start():
 
 def test_with_nothing_observed_goals_are_uniform():
     history = db.History(db.Box([0], [1]), db.Box([5], [7]))
-    goal = db.goals.UntriedGoals(0.1).sample(history, np.random.default_rng(0))
+    goal = UntriedGoals(0.1).sample(history, np.random.default_rng(0))
     assert goal.tolist() == history.sensory_space.sample(np.random.default_rng(0)).tolist()

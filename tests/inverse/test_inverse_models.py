@@ -5,13 +5,13 @@ the kernel solves normal equations. They agree to 1e-9 of the motor range: the r
 condition of either by a few thousands.
 """
 
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import divbandit as db
+from divbandit.inverse import KNearest, LocalRegression, Nearest
 from tests.generators import state
 from tests.known import SEEDS, histories, history
 from tests.reference.nearest import nearest
@@ -21,9 +21,9 @@ KS = st.integers(1, 12)
 SHARES = st.sampled_from([0.0, 1e-3, 0.2, 1.0])
 
 MODELS = {
-    "nearest": db.inverse.Nearest,
-    "k nearest": lambda d=0.05: db.inverse.KNearest(3, d),
-    "regression": lambda d=0.05: db.inverse.LocalRegression(5, d),
+    "nearest": Nearest,
+    "k nearest": lambda d=0.05: KNearest(3, d),
+    "regression": lambda d=0.05: LocalRegression(5, d),
 }
 every = pytest.mark.parametrize("model", MODELS.values(), ids=MODELS)
 
@@ -75,21 +75,15 @@ def close(command, expected, space):
 @EXACT
 def test_the_mean_of_the_nearest(past, k, seed):
     goal = goal_for(past, seed)
-    command = db.inverse.KNearest(k, d=0.0).command(goal, past, np.random.default_rng(0))
+    command = KNearest(k, d=0.0).command(goal, past, np.random.default_rng(0))
     close(command, weighted_mean(past, goal, k), past.motor_space)
 
 
-@given(
-    histories(),
-    KS,
-    st.sampled_from([1e-3, 0.1, 3.0]),
-    st.sampled_from([0.5, 2.0, 1e6]),
-    SEEDS,
-)
+@given(histories(), KS, st.sampled_from([1e-3, 0.1, 3.0]), st.sampled_from([0.5, 2.0, 1e6]), SEEDS)
 @EXACT
 def test_the_regression_is_that_by_singular_values(past, k, ridge, reach, seed):
     goal = goal_for(past, seed)
-    model = db.inverse.LocalRegression(k, d=0.0, ridge=ridge, reach=reach)
+    model = LocalRegression(k, d=0.0, ridge=ridge, reach=reach)
     command = model.command(goal, past, np.random.default_rng(0))
     # The command is clipped: what is far beyond comes out at the border in both.
     close(command, regression(past, goal, k, ridge, reach), past.motor_space)
@@ -103,7 +97,7 @@ def test_the_regression_finds_a_linear_map():
     for effect in rng.normal(size=(40, 2)):
         past.append(matrix @ effect + at, effect)
     for goal in rng.normal(size=(20, 2)):
-        command = db.inverse.LocalRegression(9, 0.0, ridge=1e-9, reach=1e3).command(goal, past, rng)
+        command = LocalRegression(9, 0.0, ridge=1e-9, reach=1e3).command(goal, past, rng)
         np.testing.assert_allclose(command, matrix @ goal + at, atol=1e-6)
 
 
@@ -111,7 +105,7 @@ def test_the_regression_of_effects_on_a_line_makes_nothing_of_what_is_beside_it(
     past = db.History(db.Box([-9], [9]))
     for x in range(5):
         past.append([x], [x, x])
-    model = db.inverse.LocalRegression(5, 0.0, ridge=1e-6)
+    model = LocalRegression(5, 0.0, ridge=1e-6)
     for goal, expected in [([2, 2], 2), ([3, 1], 2), ([1, 3], 2), ([2.5, 2.5], 2.5)]:
         assert model.command(goal, past, np.random.default_rng(0))[0] == pytest.approx(
             expected, abs=1e-4
@@ -144,7 +138,7 @@ def test_a_command_is_perturbed_as_the_paper_does(model, past, d, seed):
 @settings(max_examples=60, deadline=None, derandomize=True)
 def test_of_one_effect_all_are_the_nearest_neighbour(past, d, seed):
     goal = goal_for(past, seed)
-    models = db.inverse.Nearest(d), db.inverse.KNearest(1, d), db.inverse.LocalRegression(1, d)
+    models = Nearest(d), KNearest(1, d), LocalRegression(1, d)
     found = {tuple(model.command(goal, past, np.random.default_rng(seed))) for model in models}
     assert len(found) == 1
 
@@ -155,7 +149,7 @@ def test_the_same_effect_again_and_again(model):
     for x in (0.0, 0.5, 1.0):
         past.append([x, 2], [7.0, 7.0, 7.0])
     command = model(0.0).command([7.0, 7.0, 7.0], past, np.random.default_rng(0))
-    assert command.tolist() == [0.0 if model is db.inverse.Nearest else 0.5, 2.0]
+    assert command.tolist() == [0.0 if model is Nearest else 0.5, 2.0]
 
 
 @every

@@ -1,6 +1,5 @@
 """What holds for every strategy, alone or composed."""
 
-
 import numpy as np
 import pytest
 

@@ -8,6 +8,8 @@ import pytest
 from scipy import stats
 
 import divbandit as db
+from divbandit.goals import UniformGoals
+from divbandit.inverse import Nearest
 from tests.reference.nearest import nearest
 
 LEVEL = 1e-4
@@ -70,9 +72,9 @@ def test_goals_of_another_dimension_are_refused_at_the_first_effect():
 
 
 PLAIN_PARTS = [
-    {"goals": db.goals.UniformGoals()},
-    {"inverse": db.inverse.Nearest(0.2)},
-    {"goals": db.goals.UniformGoals(ARM.sensory_space), "inverse": db.inverse.Nearest(0.2)},
+    {"goals": UniformGoals()},
+    {"inverse": Nearest(0.2)},
+    {"goals": UniformGoals(ARM.sensory_space), "inverse": Nearest(0.2)},
 ]
 
 

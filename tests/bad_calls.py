@@ -1,6 +1,7 @@
 """Every public entry point, its arguments, and what is passed for each by mistake."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -82,7 +83,8 @@ CELLS = without(COUNTS, "a list", "an array", "an array of one") | {
 BEYOND = {"beyond": [0.0, 1.5]}
 FAR = {"far": [0.0, 1e301]}
 FAR_ROWS = {"a far second row": [[0.0, 0.0], [-1e301, 0.0]]}
-PATHS = {"text": "ab", "a number": 1, "None": None, "floats": (0.5,), "negative": (-1,)}
+PATHS = {"text": "ab", "a number": 1, "None": None, "a list": [1], "floats": (0.5,)}
+PATHS |= {"negative": (0, -1), "too large": (2**32,)}
 NOT_TRIALS = {"None": None, "a command": [0.0, 0.0], "text": "ab"}
 NOT_WORLDS = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "an object": object()}
 NOT_A_WORLD = {"a function": abs}
@@ -139,9 +141,16 @@ def tracking(**argument):
 
 
 VIA = c.ViaPoints([-1.0, -1.0], [1.0, 1.0], steps=4)
-NOT_CONTROLLERS = {"None": None, "a function": abs, "a class": c.Tracking}
+NOT_CONTROLLERS = {
+    "None": None,
+    "a function": abs,
+    "a class": c.Tracking,
+    "no policy": SimpleNamespace(motor_space=VIA.motor_space),
+    "no motor space": SimpleNamespace(begin=abs),
+    "a number as motor space": SimpleNamespace(begin=abs, motor_space=5),
+}
 NOT_PRIMITIVES = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "text": "ab"}
-NO_STRENGTHS = some(POINTS, "text", "nan") | {"below zero": -0.1}
+NO_STRENGTHS = some(POINTS, "text", "nan") | {"below zero": -0.1, "one is below": [1, -1]}
 
 # (what is called, the argument, what is passed, how)
 #: What is no measure by its looks; others are found out when they are started.
@@ -190,6 +199,7 @@ TABLE = [
     ("Primitives", "goals", POSITIVE, lambda _, x: primitives(goals=x)),
     ("Primitives", "start", POINT, lambda _, x: primitives(start=x)),
     ("Primitives", "limit", POSITIVE, lambda _, x: primitives(limit=x)),
+    ("Primitives", "start", {"beyond": [2.0, 0.0]}, lambda _, x: primitives(start=x, limit=1)),
     (
         "trajectory",
         "command",
@@ -347,19 +357,24 @@ TABLE = [
     ("Task", "rng", SEED, lambda w, x: many([Task(w.arm, RMB, 1, x)])),
     ("Task.over", "seeds", {"None": None, "a number": 25}, lambda w, x: w.task.over(x)),
     ("Task.over", "rng", SEED, lambda w, x: many(w.task.over([x]))),
-    ("summarize", "tau", POSITIVE, lambda _, x: experiments.summarize(x)),
+    ("summarize", "tau", POSITIVE, lambda _, x: db.experiments.summarize(x)),
     (
         "summarize",
         "at",
         NOT_COUNTS | {"a number": 3},
-        lambda _, x: experiments.summarize(0.1, at=x),
+        lambda _, x: db.experiments.summarize(0.1, at=x),
     ),
-    ("summarize()", "at", {"beyond": [1, 4]}, lambda w, x: experiments.summarize(0.1, at=x)(w.run)),
+    (
+        "summarize()",
+        "at",
+        {"beyond": [1, 4]},
+        lambda w, x: db.experiments.summarize(0.1, at=x)(w.run),
+    ),
     (
         "summarize()",
         "run",
         {"None": None, "effects": [[0, 0]]},
-        lambda _, x: experiments.summarize(0.1)(x),
+        lambda _, x: db.experiments.summarize(0.1)(x),
     ),
     ("Explorer", "strategy", NOT_ONE, lambda w, x: db.Explorer(x, w.box)),
     ("Explorer", "motor_space", NOT_SPACES, lambda _, x: db.Explorer(RMB, x)),
@@ -373,6 +388,7 @@ TABLE = [
         lambda w, x: w.explorer.add_past(x, [[0, 0]]),
     ),
     ("add_past", "effects", ROW, lambda w, x: w.explorer.add_past([[0, 0]], x)),
+    ("Explorer.ask", "n", FROM_1, lambda w, x: w.explorer.ask(x)),
     ("Explorer.fail", "trial", NOT_TRIALS, lambda w, x: w.explorer.fail(x, "it fell over")),
     ("Explorer.fail", "reason", NONE, lambda w, x: w.explorer.fail(w.trial, x)),
     ("Explorer.tell", "trial", NOT_TRIALS, lambda w, x: w.explorer.tell(x, [0.0, 0.0])),

@@ -20,29 +20,6 @@ def some(values, *names):
     return {name: values[name] for name in names}
 
 
-class Odd:
-    """A measure that starts, and says something wrong of itself."""
-
-    dim, largest_gain, measure = 2, 1.0, 0.0
-
-    def __init__(self, **wrong):
-        self.size = wrong.pop("size", 0)
-        for name, value in wrong.items():
-            setattr(self, name, value)
-
-    def start(self, dim):
-        del dim
-        return self
-
-    def __len__(self):
-        return self.size
-
-    def add(self, *_):
-        raise AssertionError
-
-    extend = gain = add
-
-
 def points(n):
     """Return what is no finite point of R^n inside [-1, 1]^n, nor an array of such."""
     return {
@@ -159,13 +136,6 @@ NOT_MEASURES = {
     "an object": object(),
     "one under way": db.Coverage(0.02),
     "one that starts nothing": SimpleNamespace(start=lambda _: None),
-    "one with an effect in it": Odd(size=1),
-    "of no dimension": Odd(dim=0),
-    "of half a dimension": Odd(dim=2.5),
-    "a gain below zero": Odd(largest_gain=-1.0),
-    "an endless gain": Odd(largest_gain=math.inf),
-    "no gain": Odd(largest_gain=math.nan),
-    "text for a gain": Odd(largest_gain="1"),
 }
 
 NOT_PHASES = {

@@ -8,8 +8,8 @@ import pytest
 import divbandit as db
 from divbandit.bandits import Gain
 from divbandit.measures import BallCoverage, Entropy, GridCoverage
-from tests.bandits.beliefs import replay
 from tests.bandits.script import both_engines
+from tests.reference.adapt_replay import beliefs
 
 RMB = db.MotorBabbling
 
@@ -26,7 +26,7 @@ def test_effects_of_any_dimension(dim, known, engine):
     grid = GridCoverage(0.25)
     adapt = db.Adapt([RMB(), RMB()], reward=Gain(grid))
     run = db.explore(cube(dim, known=known), adapt, n=60, rng=0, engine=engine)
-    assert np.array_equal(run.estimates, replay(adapt, run, grid.start(dim)))
+    assert np.array_equal(run.estimates, beliefs(adapt, run, grid.start(dim)))
 
 
 @both_engines
@@ -42,7 +42,7 @@ def test_a_measure_says_which_dimensions_it_takes(known, engine):
 def test_the_default_measures_in_whatever_dimension_coverage_takes(dim, engine):
     adapt = db.Adapt([RMB(), RMB()], tau=0.3, window=5)
     run = db.explore(cube(dim, known=True), adapt, n=60, rng=0, engine=engine)
-    expected = replay(adapt, run, BallCoverage(0.3).start(dim))
+    expected = beliefs(adapt, run, BallCoverage(0.3).start(dim))
     np.testing.assert_allclose(run.estimates, expected, rtol=1e-14)
     # Until the first effect tells the dimension, a disc stands for a ball.
     other = db.explore(cube(dim, known=False), adapt, n=60, rng=0, engine=engine)

@@ -8,8 +8,8 @@ import pytest
 import divbandit as db
 from divbandit.bandits import Gain
 from divbandit.measures import BallCoverage, Entropy, GridCoverage, Sparseness
-from tests.bandits.beliefs import replay
 from tests.bandits.script import Drive, both_engines
+from tests.reference.adapt_replay import beliefs
 
 ARM = db.PlanarArm(20)
 RMB, RGB = db.MotorBabbling, db.GoalBabbling
@@ -21,7 +21,7 @@ MEASURES = (BallCoverage(0.05), GridCoverage(0.05), Sparseness(3), Entropy(0.2))
 def test_a_run_equals_its_replay_and_is_reproducible(measure, engine):
     adapt = db.Adapt([RMB(), RGB(0.05)], window=7, reward=Gain(measure), alpha=0.2)
     run, again = (db.explore(ARM, adapt, n=500, rng=5, engine=engine) for _ in range(2))
-    expected = replay(adapt, run, measure.start(2))
+    expected = beliefs(adapt, run, measure.start(2))
     np.testing.assert_allclose(run.estimates, expected, rtol=1e-15, atol=1e-300)
     assert run.commands.tobytes() == again.commands.tobytes()
     assert run.estimates.tobytes() == again.estimates.tobytes()
@@ -114,7 +114,7 @@ def test_a_measure_that_sets_itself_up_is_copied_by_each_exploration():
     adapt = db.Adapt([RMB(), RGB(0.05)], reward=Gain(template))
     runs = [db.explore(ARM, adapt, n=50, rng=0) for _ in range(3)]
     assert len({run.estimates.tobytes() for run in runs}) == 1
-    np.testing.assert_allclose(runs[0].estimates, replay(adapt, runs[0], Count()), rtol=1e-15)
+    np.testing.assert_allclose(runs[0].estimates, beliefs(adapt, runs[0], Count()), rtol=1e-15)
     assert template.effects == []
 
 
@@ -130,11 +130,3 @@ def test_gains_that_are_not_finite_are_refused(bad):
     with pytest.raises(ValueError, match="measure must give finite gains, got"):
         explorer.tell(trial, [0.0, 0.0])
     assert explorer.estimates == (1.0,)
-
-
-def test_it_is_shown_with_its_reward():
-    grid = GridCoverage(0.5)
-    adapt = db.Adapt([RMB()], reward=Gain(grid))
-    assert repr(adapt) == "Adapt([MotorBabbling()], reward=Gain(GridCoverage(0.5)))"
-    assert adapt.tau is None
-    assert repr(db.Adapt([RMB()])) == "Adapt([MotorBabbling()], tau=0.02)"

@@ -1,8 +1,6 @@
 """The estimators against plain lists of all rewards, in fractions where these are exact."""
 
-import copy
 import math
-import pickle
 from fractions import Fraction
 
 import pytest
@@ -26,6 +24,14 @@ def after(estimator, rewards, largest=0.0):
 
 def own(rewards, part):
     return [reward for owner, reward in rewards if owner == part]
+
+
+def test_a_window_never_drifts():
+    """Large rewards leave no rounding behind when they leave."""
+    window = Window(2, head_start=1).start(1, 1.0)
+    for reward in [1e16, 0.1, 1e16, 0.1, 0.1, 0.1]:
+        window.add(0, reward)
+    assert window.means == pytest.approx([0.1], rel=1e-16)
 
 
 def test_a_head_start_of_discounted_is_told_first():
@@ -68,13 +74,10 @@ def test_the_largest_reward(estimator):
 
 @pytest.mark.parametrize("estimator", ESTIMATORS, ids=repr)
 def test_what_starts_is_apart_from_the_value(estimator):
-    """Two that the same value has started share nothing; copies of the value start the same."""
+    """Two that the same value has started share nothing."""
     first, rewards = after(estimator, [(0, 3.0)]), [(0, 3.0), (1, 1.0)] * 4
     after(estimator, rewards)
     assert first.means == after(estimator, [(0, 3.0)]).means
-    for way in (copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))):  # noqa: S301
-        assert way(estimator) == estimator
-        assert after(way(estimator), rewards).means == after(estimator, rewards).means
 
 
 @pytest.mark.parametrize("estimator", ESTIMATORS, ids=repr)

@@ -133,39 +133,32 @@ def test_an_error_in_a_task_stops_the_others(begun, endless):
         assert error.__notes__ == ["raised by the task at place 1 of explore_many"]
 
 
-def test_an_error_in_keep_stops_the_others(endless, quick):
-    def keep(run):
-        raise LookupError(f"nothing in {len(run)}")
+@pytest.mark.parametrize("where", ["keep", "progress"])
+def test_an_error_in_a_callback_stops_the_others(endless, quick, where):
+    def call(*given):
+        raise LookupError(f"of {len(given)}")
 
-    with pytest.raises(LookupError, match="nothing in 3"):
-        list(db.explore_many([endless, quick], keep=keep, jobs=2))
-
-
-def test_an_error_in_progress_stops_the_others(endless, quick):
-    def progress():
-        raise LookupError("no bar")
-
-    with pytest.raises(LookupError, match="no bar"):
-        list(db.explore_many([endless, quick], progress=progress, jobs=2))
+    with pytest.raises(LookupError, match="of 1" if where == "keep" else "of 0"):
+        list(db.explore_many([endless, quick], jobs=2, **{where: call}))
 
 
-def test_an_error_in_the_iterable_stops_the_others(begun, endless):
+@pytest.mark.parametrize(
+    ("last", "error", "message"),
+    [
+        (None, LookupError, "no more"),
+        ((), TypeError, "tasks must be Tasks, got tuple at place 1"),
+    ],
+    ids=["an error", "no task"],
+)
+def test_what_the_iterable_gives_or_raises_stops_the_others(begun, endless, last, error, message):
     def tasks():
         yield endless
         assert begun.event.wait(60)
-        raise LookupError("no more")
+        if last is None:
+            raise LookupError("no more")
+        yield last
 
-    with pytest.raises(LookupError, match="no more"):
-        list(db.explore_many(tasks(), jobs=2))
-
-
-def test_what_is_no_task_stops_the_others(begun, endless):
-    def tasks():
-        yield endless
-        assert begun.event.wait(60)
-        yield (begun, db.MotorBabbling(), 3)
-
-    with pytest.raises(TypeError, match="tasks must be Tasks, got tuple at place 1"):
+    with pytest.raises(error, match=message):
         list(db.explore_many(tasks(), jobs=2))
 
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import divbandit as db
-from divbandit.inverse import KNearest, LocalRegression, Nearest
+from divbandit.inverse import KNearest, LocalJacobian, LocalRegression, Nearest
 from tests.generators import state
 from tests.known import SEEDS, histories, history
 from tests.reference.nearest import nearest
@@ -26,6 +26,8 @@ MODELS = {
     "regression": lambda d=0.05: LocalRegression(5, d),
 }
 every = pytest.mark.parametrize("model", MODELS.values(), ids=MODELS)
+ALL = MODELS | {"jacobian": lambda d=0.05: LocalJacobian(used=4, reach=d)}
+also_the_jacobian = pytest.mark.parametrize("model", ALL.values(), ids=ALL)
 
 
 def goal_for(past, seed):
@@ -152,7 +154,7 @@ def test_the_same_effect_again_and_again(model):
     assert command.tolist() == [0.0 if model is Nearest else 0.5, 2.0]
 
 
-@every
+@also_the_jacobian
 def test_extreme_effects(model):
     past = db.History(db.Box([-8e307], [8e307]))
     for x, effect in [(-8e307, 1e308), (8e307, -1e308), (0, 5e-324), (1, 0), (2, 1e160)]:
@@ -162,7 +164,7 @@ def test_extreme_effects(model):
         assert past.motor_space.contains(command)
 
 
-@every
+@also_the_jacobian
 def test_with_nothing_observed_it_is_refused(model):
     rng, empty = np.random.default_rng(0), db.History(db.Box([0], [1]))
     with pytest.raises(ValueError, match="history must not be empty"):
@@ -170,7 +172,7 @@ def test_with_nothing_observed_it_is_refused(model):
     assert state(rng) == state(np.random.default_rng(0))
 
 
-@every
+@also_the_jacobian
 @given(past=histories(), seed=SEEDS)
 @settings(max_examples=25, deadline=None, derandomize=True)
 def test_a_model_at_work_remembers_nothing(model, past, seed):
@@ -182,7 +184,7 @@ def test_a_model_at_work_remembers_nothing(model, past, seed):
         assert at_work.command(goal, past, rng).tolist() == expected.tolist()
 
 
-@every
+@also_the_jacobian
 def test_a_model_says_what_it_must_be_given(model):
     past = history(2, 2, 10, 0)
     at_work, rng = model().start(past), np.random.default_rng(0)
@@ -199,7 +201,7 @@ def test_a_model_says_what_it_must_be_given(model):
 
 def test_a_history_is_not_changed():
     past = history(2, 2, 10, 0)
-    for model in MODELS.values():
+    for model in ALL.values():
         before = past.commands.tolist(), past.effects.tolist()
         model().command([0.0, 0.0], past, np.random.default_rng(0))
         assert (past.commands.tolist(), past.effects.tolist()) == before

@@ -53,6 +53,10 @@ def test_a_gain_is_at_least_zero_and_at_most_a_ball(dim, points, tau):
     assert np.all(gains >= 0)
     assert np.all(gains <= cov.largest_gain)
     assert gains[0] == cov.largest_gain
+    assert gains.tolist() == cov.gains.tolist()
+    assert np.array_equal(cov.effects, cut(points, dim))
+    assert cov.measure == db.coverage(cut(points, dim), tau, accuracy=0.03, rng=0)
+    assert cov.measure == pytest.approx(math.fsum(gains), rel=1e-15)
     assert np.all(cov.standard_errors >= 0)
     assert np.all(np.isfinite(cov.standard_errors))
 

@@ -316,9 +316,9 @@ def filled_one():
     return running
 
 
-def bounded_by(largest):
+def bounded_by(largest, dim=2):
     running = Furthest().start(2)
-    running.largest_gain = largest
+    running.largest_gain, running.dim = largest, dim
     return running
 
 
@@ -328,9 +328,13 @@ def bounded_by(largest):
         (None, TypeError, "measure.start must return a RunningMeasure, got NoneType"),
         (Furthest, TypeError, "measure.start must return a RunningMeasure, got a class"),
         (filled_one(), ValueError, "measure.start must return an empty one, got 1 effects"),
-        (Furthest().start(3), ValueError, "measure.start must return one of dim 2, got 3"),
+        (bounded_by(1.0, 3), ValueError, "measure.start must return one of dim 2, got 3"),
+        (bounded_by(1.0, 0), ValueError, "measure.start must return one of dim 2, got 0"),
+        (bounded_by(1.0, 2.5), (TypeError, ValueError), "measure.start must return one of dim 2"),
         (bounded_by(-1.0), ValueError, "measure.largest_gain must be a finite number in"),
         (bounded_by(math.inf), ValueError, "measure.largest_gain must be a finite number in"),
+        (bounded_by(math.nan), ValueError, "measure.largest_gain must be a finite number in"),
+        (bounded_by("1"), TypeError, "measure.largest_gain must be a number, got str"),
         (bounded_by(None), TypeError, "measure.largest_gain must be a number, got NoneType"),
     ],
 )

@@ -85,7 +85,6 @@ def test_too_far_effects_are_refused(far):
 
 
 def test_says_what_it_is():
-    assert (repr(Sparseness()), repr(Sparseness(3))) == ("Sparseness()", "Sparseness(3)")
     sparseness = Sparseness(3).start(2)
     sparseness.extend([[0, 0], [0, 1]])
     assert repr(sparseness) == "<Sparseness(3) of 2 effects in R^2, measure=1.0>"

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.strategies import Starter
 from tests.compositions import NAMES, compositions
+from tests.generators import state, twins
 
 ARM = db.PlanarArm(5)
 N = 150
@@ -104,9 +106,9 @@ def test_it_goes_on_after_failures(strategy):
 
 def test_a_value_proposes_as_right_after_the_start(strategy):
     """Asked by itself, outside of an exploration."""
-    started = ByHand(strategy, 3)
-    history, rng = db.History(ARM.motor_space, ARM.sensory_space), np.random.default_rng(3)
-    expected = db.Trial.of(started.running.propose(started.history, started.rng))
-    trial = strategy.propose(history, rng)
+    history, rngs = db.History(ARM.motor_space, ARM.sensory_space), twins(np.random.PCG64)
+    running = Starter(history)(strategy)
+    trial, expected = strategy.propose(history, rngs[0]), running.propose(history, rngs[1])
+    expected = db.Trial.of(expected)
     assert (list(trial.command), trial.path) == (list(expected.command), expected.path)
-    assert rng.random() == started.rng.random()
+    assert state(rngs[0]) == state(rngs[1])

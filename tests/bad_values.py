@@ -171,6 +171,7 @@ NOT_SEEDS = {
     "object": object(),
     "floats": [0.5],
     "the module": np.random,
+    "an old generator": np.random.RandomState(0),
 }
 
 NOT_GENERATORS = NOT_SEEDS | {
@@ -178,5 +179,4 @@ NOT_GENERATORS = NOT_SEEDS | {
     "a seed": 0,
     "a sequence of seeds": np.random.SeedSequence(0),
     "a bit generator": np.random.PCG64(0),
-    "an old generator": np.random.RandomState(0),
 }

@@ -29,16 +29,6 @@ def test_returns_what_was_appended(n):
     assert (history.commands.shape, history.effects.shape) == ((n, 3), (n, 2))
 
 
-@pytest.mark.parametrize("s", [1, 2, 3, 10])
-def test_learns_the_dimension_of_the_effects_from_the_first(s):
-    history = db.History(SPACE)
-    assert history.effect_dim is None
-    history.append([0, 0, 0], [0.5] * s)
-    history.append([0, 0, 0], [0.25] * s)
-    assert history.effect_dim == s
-    assert history.effects.tolist() == [[0.5] * s, [0.25] * s]
-
-
 def test_views_are_read_only_and_keep_what_they_showed():
     history, _, effects = filled(64)
     before = history.effects

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.spatial import cKDTree
 
 import divbandit as db
 from tests.reference.families import FAMILIES, family
@@ -54,18 +53,6 @@ def test_equals_brute_force_while_it_grows(name, dim):
         for query in (point, rng.uniform(-1, 1, dim)):
             assert_same(tree, points[:n], query, 1)
         assert_same(tree, points[:n], rng.uniform(-1, 1, dim), min(n, 5))
-
-
-@pytest.mark.parametrize("dim", [1, 2, 3, 8, 16])
-@pytest.mark.parametrize("name", FAMILIES)
-def test_distances_equal_scipy(name, dim):
-    points = family(name, 1000, dim, seed=5)
-    tree = db.NearestNeighbors(dim)
-    tree.extend(points)
-    for query in queries(points, np.random.default_rng(1)):
-        distances, _ = tree.nearest(query, k=10)
-        expected, _ = cKDTree(points).query(query, k=10)
-        np.testing.assert_allclose(distances, expected, rtol=1e-13, atol=1e-300)
 
 
 lattice = st.tuples(st.integers(0, 3), st.integers(0, 3))

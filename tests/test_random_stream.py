@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit._core import Bounds
 from divbandit.inverse import Nearest
 from tests.generators import BIT_GENERATORS, state, twins
 
@@ -90,27 +89,3 @@ def test_an_error_draws_nothing_and_frees_the_lock(fail, bit_generator):
         fail(observed_history(), rng)
     assert state(rng) == state(plain)
     assert is_free(rng.bit_generator.lock)
-
-
-def test_threads_share_one_generator_without_losing_a_draw():
-    rng, plain = twins(np.random.PCG64)
-    bounds, drawn = Bounds([0], [1]), []
-    threads = [
-        threading.Thread(target=lambda: drawn.extend(bounds.sample(rng)[0] for _ in range(500)))
-        for _ in range(4)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert sorted(drawn) == sorted(plain.random(2000))
-
-
-@pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
-def test_whole_explorations_draw_from_the_generator_given(bit_generator):
-    rng, plain = twins(bit_generator)
-    run = db.explore(db.PlanarArm(3), db.MotorBabbling(), n=50, rng=rng)
-    space = run.motor_space
-    expected = [uniform(space.low, space.high, plain) for _ in range(50)]
-    assert run.commands.tolist() == np.array(expected).tolist()
-    assert state(rng) == state(plain)

@@ -147,33 +147,6 @@ def test_a_function_gets_command_step_and_observation():
     assert isinstance(controller, Controller)
 
 
-def test_via_points_goes_through_them_and_rests_there():
-    low, high = [-1, -2, -3], [1, 2, 3]
-    points = ViaPoints(low, high, steps=300, points=3, start=[0.5, 0, 0])
-    command = points.motor_space.sample(np.random.default_rng(0))
-    rows = points.trajectory(command)
-    assert rows.shape == (301, 3)
-    assert rows[0].tolist() == [0.5, 0, 0]
-    np.testing.assert_allclose(rows[[100, 200, 300]], command.reshape(3, 3), atol=1e-12)
-    speeds = np.abs(np.diff(rows, axis=0))
-    for corner in (0, 99, 100, 199, 200, 299):
-        assert (speeds[corner] < 1e-4).all()
-    # Monotonous in between: never beyond the two points.
-    for part in range(3):
-        between = rows[100 * part : 100 * part + 101]
-        assert (np.diff(between, axis=0) * np.sign(between[-1] - between[0]) >= -1e-12).all()
-
-
-def test_via_points_of_many_commands():
-    points = ViaPoints([-1, -1], [1, 1], steps=7, points=2)
-    commands = points.motor_space.sample_many(5, np.random.default_rng(0))
-    many = points.trajectory(commands)
-    assert many.shape == (5, 8, 2)
-    for one, command in zip(many, commands, strict=True):
-        np.testing.assert_array_equal(one, points.trajectory(command))
-    assert points.trajectory(commands[:0]).shape == (0, 8, 2)
-
-
 @pytest.mark.parametrize("make", [tracking, OpenLoop, lambda p: tracking(p, turns=True)])
 @pytest.mark.parametrize(
     ("rows", "error", "says"),

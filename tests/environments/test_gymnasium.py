@@ -270,30 +270,22 @@ def test_a_pickle_holds_no_environment(counted):
 EXPLORE = partial(db.explore, strategy=db.MotorBabbling(), n=40, rng=0)
 
 
-def sorted_rows(run):
-    rows = np.concatenate([run.commands, run.effects], axis=1)
-    return rows[np.lexsort(rows.T)].tobytes()
-
-
-def test_an_executor_of_spawned_processes():
-    plain = EXPLORE(cart())
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as processes:
-        run = EXPLORE(cart(), executor=processes, in_flight=2)
-    assert run.failures == ()
-    assert sorted_rows(run) == sorted_rows(plain)
-
-
 def count_environments(episode):
-    del episode
-    return [Cart.made, os.getpid()]
+    return [Cart.made, os.getpid(), *last(episode)]
 
 
-def test_each_process_makes_one_environment_for_all_commands():
+def test_each_spawned_process_makes_one_environment_for_all_commands():
     environment = cart(effect=count_environments)
+    plain = EXPLORE(environment)
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as processes:
         run = EXPLORE(environment, executor=processes, in_flight=2)
+    assert run.failures == ()
     assert set(run.effects[:, 0]) == {1.0}
     assert os.getpid() not in run.effects[:, 1]
+    found, expected = (
+        sorted(np.hstack([each.commands, each.effects[:, 2:]]).tolist()) for each in (run, plain)
+    )
+    assert found == expected
 
 
 def test_the_last_few_that_were_unpickled_are_kept():

@@ -17,9 +17,9 @@ from divbandit.environments import ProcessEnvironment
 SPACE = db.Box([-1, -1], [1, 1])
 
 
-def program(code, **options):
-    words = [sys.executable, "-S", "-c", f"import json, os, sys, time; {code}"]
-    return ProcessEnvironment(words, SPACE, **{"timeout": 60.0} | options)
+def program(code, *words, **options):
+    command_line = [sys.executable, "-S", "-c", f"import json, os, sys, time; {code}", *words]
+    return ProcessEnvironment(command_line, SPACE, **{"timeout": 60.0} | options)
 
 
 ECHO = "print([float(x) for x in sys.argv[1:]])"
@@ -39,8 +39,7 @@ def test_a_number_and_an_entry_are_effects():
 
 
 def test_words_are_no_shell():
-    words = [sys.executable, "-S", "-c", "import sys; print(len(sys.argv))", "$HOME; a  b", "*"]
-    assert ProcessEnvironment(words, SPACE)([0, 0]).tolist() == [5.0]
+    assert program("print(len(sys.argv))", "$HOME; a  b", "*")([0, 0]).tolist() == [5.0]
 
 
 @pytest.mark.parametrize(
@@ -106,8 +105,7 @@ def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
         "import subprocess; child = subprocess.Popen(['sleep', '600']); "
         "open(sys.argv[1], 'w').write(f'{os.getpid()} {child.pid}'); time.sleep(600)"
     )
-    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pids")]
-    slow = ProcessEnvironment(words, SPACE, timeout=3.0)
+    slow = program(code, str(tmp_path / "pids"), timeout=3.0)
     with pytest.raises(TimeoutError, match=r"within timeout = 3.0 s"):
         slow([0, 0])
     pids = [int(pid) for pid in (tmp_path / "pids").read_text(encoding="utf-8").split()]
@@ -117,8 +115,7 @@ def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
 
 def test_an_interrupted_evaluation_leaves_nothing(tmp_path):
     code = "open(sys.argv[1], 'w').write(str(os.getpid())); time.sleep(600)"
-    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pid")]
-    slow = ProcessEnvironment(words, SPACE)
+    slow = program(code, str(tmp_path / "pid"))
 
     def interrupt():
         while not (tmp_path / "pid").is_file() or not (tmp_path / "pid").read_text():
@@ -160,8 +157,7 @@ def test_output_without_end_is_refused():
 
 def test_what_closes_its_output_still_has_to_end(tmp_path):
     code = "open(sys.argv[1], 'w').write(str(os.getpid())); os.close(1); os.close(2); "
-    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}time.sleep(600)"]
-    quiet = ProcessEnvironment([*words, str(tmp_path / "pid")], SPACE, timeout=2.0)
+    quiet = program(code + "time.sleep(600)", str(tmp_path / "pid"), timeout=2.0)
     with pytest.raises(TimeoutError, match=r"within timeout = 2.0 s"):
         quiet([0, 0])
     assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))
@@ -190,5 +186,4 @@ def test_small_numbers_below_zero_are_no_options():
         "import argparse; words = argparse.ArgumentParser(); "
         "words.add_argument('x', type=float, nargs=2); print(words.parse_args().x)"
     )
-    words = [sys.executable, "-S", "-c", code, "--"]
-    assert ProcessEnvironment(words, SPACE)([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]
+    assert program(code, "--")([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]

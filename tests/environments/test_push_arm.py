@@ -8,6 +8,7 @@ import shapely
 
 import divbandit as db
 from divbandit.environments import Disc, Polygon, PushArm, Rectangle, Wall
+from tests.reference import contact
 
 #: How much ball, links and obstacles may overlap, in metres.
 OVERLAP = 1e-6
@@ -47,25 +48,13 @@ def drawn_scene(rng):
         return arm, scene, rng.uniform(-2.6, 2.6, arm.joints)
 
 
-def shape_of(obstacle):
-    if isinstance(obstacle, Disc):
-        return shapely.Point(obstacle.center), obstacle.radius
-    if isinstance(obstacle, Rectangle):
-        return shapely.box(*obstacle.low, *obstacle.high), 0.0
-    if isinstance(obstacle, Polygon):
-        return shapely.Polygon(obstacle.points), 0.0
-    return shapely.LineString([obstacle.start, obstacle.end]), obstacle.thickness / 2
-
-
 def gaps(arm, command, path):
     """Return the gaps between the ball and links, and obstacles, wherever the path tells of it."""
     balls = shapely.points(path[:, 1:])
-    headings = np.cumsum(path[:, :1] * command, axis=1)
-    steps = np.stack([np.cos(headings), np.sin(headings)], axis=-1) / arm.joints
-    joints = np.concatenate([np.zeros((len(path), 1, 2)), np.cumsum(steps, axis=1)], axis=1)
+    joints = contact.postures(path[:, :1] * command)
     chains = shapely.linestrings(joints)
     links = shapely.distance(chains, balls) - arm.thickness / 2 - arm.ball_radius
-    shapes = [shape_of(each) for each in arm.obstacles]
+    shapes = [contact.shape(each) for each in arm.obstacles]
     others = [shapely.distance(shape, balls) - radius - arm.ball_radius for shape, radius in shapes]
     return links, np.array(others).reshape(len(shapes), len(path))
 

@@ -1,5 +1,6 @@
 """explore_many: the very explorations of a plain loop, whatever the number of threads."""
 
+import itertools
 import threading
 from functools import partial
 
@@ -183,3 +184,30 @@ def test_explorations_within_what_keeps_an_exploration():
 def test_many_at_once_from_several_threads():
     found = at_once(partial(explored, [SHORT] * 5, rng=k, jobs=2) for k in range(4))
     assert found == [explored([SHORT] * 5, rng=k, jobs=1) for k in range(4)]
+
+
+TASK = Task(db.PlanarArm(2), db.MotorBabbling(), 10)
+
+
+def test_it_holds_what_it_was_given():
+    arm, strategy = db.PlanarArm(2), db.MotorBabbling()
+    task = Task(environment=arm, strategy=strategy, n=10, rng=3)
+    assert task.environment is arm
+    assert task.strategy is strategy
+    assert (task.n, task.rng) == (10, 3)
+
+
+def test_over_seeds_differs_in_the_seed_alone():
+    tasks = list(TASK.over([4, None, 2]))
+    assert [task.rng for task in tasks] == [4, None, 2]
+    assert all(task.environment is TASK.environment for task in tasks)
+    assert all(task.strategy is TASK.strategy for task in tasks)
+    assert all(task.n == 10 for task in tasks)
+    assert TASK.rng is None
+
+
+def test_over_takes_seeds_one_by_one():
+    seeds = itertools.count()
+    tasks = TASK.over(seeds)
+    assert next(seeds) == 0
+    assert next(tasks).rng == 1

@@ -75,18 +75,6 @@ def test_a_thousand_times_the_same_point():
     assert tree.nearest([0, 1, 1], k=1000)[1].tolist() == list(range(1000))
 
 
-def test_extend_is_repeated_add():
-    points = family("clustered", 200, 3)
-    one, many = db.NearestNeighbors(3), db.NearestNeighbors(3)
-    many.extend(points[:70])
-    many.extend(points[70:70])
-    many.extend(points[70:])
-    for point in points:
-        one.add(point)
-    for query in family("uniform", 50, 3):
-        assert one.nearest(query) == many.nearest(query)
-
-
 @pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy])
 def test_a_copy_goes_its_own_way(duplicate):
     tree = db.NearestNeighbors(1)

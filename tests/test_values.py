@@ -13,7 +13,7 @@ import pickle
 import numpy as np
 import optuna
 import pytest
-from mabwiser.mab import LearningPolicy
+from mabwiser.mab import LearningPolicy as Of
 
 import divbandit as db
 from divbandit import bandits as b
@@ -169,8 +169,9 @@ PARTS = [
     b.RoundRobin(),
     b.Uniform(),
     # Policies of MABWiser are tuples, which compare equal across kinds.
-    MabwiserPolicy(LearningPolicy.EpsilonGreedy(0.1)),
-    MabwiserPolicy(LearningPolicy.Softmax(0.1)),
+    MabwiserPolicy(Of.UCB1(alpha=1.5)),
+    MabwiserPolicy(Of.Popularity()),
+    MabwiserPolicy(Of.Random()),
     # Strategies.
     RMB,
     db.GoalBabbling(),
@@ -215,7 +216,7 @@ NAMES = {
     **{name: item for package in PACKAGES for name, item in vars(package).items()},
     **{each.__name__: each for each in (swap, product, hold, halves, final, height, parzen)},
     **vars(optuna.samplers),
-    **{each.__name__: each for each in (LearningPolicy.EpsilonGreedy, LearningPolicy.Softmax)},
+    **{each.__name__: each for each in (Of.UCB1, Of.Popularity, Of.Random)},
 }
 
 each_part = pytest.mark.parametrize("part", PARTS, ids=IDS)

@@ -9,6 +9,7 @@ import divbandit as db
 from divbandit.bandits import Gain
 from divbandit.measures import BallCoverage, Entropy, GridCoverage, Sparseness
 from tests.bandits.script import Drive, both_engines
+from tests.measures.every import Furthest
 from tests.reference.adapt_replay import beliefs
 
 ARM = db.PlanarArm(20)
@@ -81,46 +82,20 @@ def test_where_none_is_above_zero_all_are_chosen_uniformly(engine):
     assert [run.choice(0.5, u) for u in (0.1, 0.5, 0.9)] == [0, 1, 2]
 
 
-class Count:
-    """A user's measure, which sets itself up: each effect gains less than the one before."""
-
-    dim, largest_gain, measure = 2, 1.0, 0.0
-
-    def __init__(self):
-        self.effects = []
-
-    def start(self, dim):
-        assert (dim, self.effects) == (2, [])
-        return self
-
-    def __len__(self):
-        return len(self.effects)
-
-    def gain(self, effect):
-        return 1.0 / (1 + len(self.effects)) + 0.0 * effect[0]
-
-    def add(self, effect):
-        gain = self.gain(effect)
-        self.effects.append(effect)
-        self.measure += gain
-        return gain
-
-    def extend(self, effects):
-        return np.array([self.add(effect) for effect in effects])
-
-
 def test_a_measure_that_sets_itself_up_is_copied_by_each_exploration():
-    template = Count()
+    template = Furthest()
     adapt = db.Adapt([RMB(), RGB(0.05)], reward=Gain(template))
     runs = [db.explore(ARM, adapt, n=50, rng=0) for _ in range(3)]
     assert len({run.estimates.tobytes() for run in runs}) == 1
-    np.testing.assert_allclose(runs[0].estimates, beliefs(adapt, runs[0], Count()), rtol=1e-15)
-    assert template.effects == []
+    np.testing.assert_allclose(
+        runs[0].estimates, beliefs(adapt, runs[0], Furthest().start(2)), rtol=1e-15
+    )
+    assert not hasattr(template, "dim")
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_gains_that_are_not_finite_are_refused(bad):
-    class Bad(Count):
+    class Bad(Furthest):
         def gain(self, effect):
             del effect
             return bad
@@ -129,7 +104,7 @@ def test_gains_that_are_not_finite_are_refused(bad):
     trial = explorer.ask()
     with pytest.raises(ValueError, match="measure must give finite gains, got"):
         explorer.tell(trial, [0.0, 0.0])
-    assert explorer.estimates == (1.0,)
+    assert explorer.estimates == (0.0,)
 
 
 RMB = db.MotorBabbling

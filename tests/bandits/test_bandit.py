@@ -106,14 +106,6 @@ def test_choices_carry_their_probability(engine):
 
 
 @both_engines
-def test_a_failure_is_a_reward_of_nothing(engine):
-    bandit = made(b.Gain(GRID(1.0)), b.Window(4), b.RoundRobin(), [RMB(), RMB()])
-    explorer = explorer_of(bandit, engine)
-    explorer.fail(explorer.ask(), "no power")
-    assert explorer.estimates == (0.5, 1.0)  # the head start and 0
-
-
-@both_engines
 def test_failures_before_the_first_effect_are_kept_when_it_tells_the_dimension(engine):
     box = db.Box([0.0] * 3, [1.0] * 3)
     explorer = db.Explorer(db.Adapt([RMB()], tau=0.5), box, rng=0, engine=engine)

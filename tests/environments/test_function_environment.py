@@ -54,24 +54,10 @@ def test_an_effect_that_is_no_point_is_refused(wrong):
         db.explore(environment, db.MotorBabbling(), n=1, rng=0)
 
 
-def test_an_error_of_the_function_is_passed_on():
-    def broken(x):
-        raise ZeroDivisionError(x)
-
-    with pytest.raises(ZeroDivisionError):
-        db.explore(db.FunctionEnvironment(broken, SQUARE), db.MotorBabbling(), n=1, rng=0)
-
-
 def test_effects_of_several_lengths_are_refused():
     environment = db.FunctionEnvironment(lambda x: [0.0] * (1 + (x[0] > 0)), SQUARE)
     with pytest.raises(ValueError, match="effect"):
         environment([[-0.5, 0], [0.5, 0]])
-
-
-def test_it_explores():
-    environment = db.FunctionEnvironment(swap, SQUARE, SQUARE)
-    run = db.explore(environment, db.GoalBabbling(0.1), n=50, rng=0)
-    assert run.effects.tolist() == run.commands[:, ::-1].tolist()
 
 
 def test_a_function_of_scalars_gets_plain_floats():

@@ -198,24 +198,6 @@ def test_made_when_needed_and_used_again(counted):
     assert (Counted.made, Counted.closed) == (2, 2)
 
 
-def test_one_that_broke_is_not_used_again():
-    class Fragile(Counted):
-        made = closed = 0
-
-        def step(self, action):
-            if action[0] > 0.2:
-                raise ZeroDivisionError("it broke")
-            return super().step(action)
-
-    environment = cart(make=Fragile)
-    fine = environment([0.1, 0])
-    with pytest.raises(ZeroDivisionError):
-        environment([0.3, 0])
-    assert (Fragile.made, Fragile.closed) == (1, 1)
-    assert environment([0.1, 0]).tobytes() == fine.tobytes()
-    assert Fragile.made == 2
-
-
 def test_threads_in_an_episode_have_an_environment_each(counted):
     both = threading.Barrier(2, timeout=60)
 
@@ -231,28 +213,6 @@ def test_threads_in_an_episode_have_an_environment_each(counted):
     np.testing.assert_array_equal(effects, cart()(COMMANDS[:8]))
     meeting.close()
     assert Counted.closed == 2
-
-
-def test_one_that_is_in_an_episode_is_closed_at_its_end():
-    bodies = []
-
-    class Closing(Cart):
-        is_open = True
-
-        def reset(self, **options):
-            bodies.append(self)
-            environment.close()
-            assert self.is_open
-            return super().reset(**options)
-
-        def close(self):
-            self.is_open = False
-
-    environment = cart(make=Closing)
-    environment(COMMANDS[0])
-    environment(COMMANDS[0])
-    assert [body.is_open for body in bodies] == [False, False]
-    assert bodies[0] is not bodies[1]
 
 
 def test_a_pickle_holds_no_environment(counted):

@@ -189,14 +189,6 @@ def test_many_at_once_from_several_threads():
 TASK = Task(db.PlanarArm(2), db.MotorBabbling(), 10)
 
 
-def test_it_holds_what_it_was_given():
-    arm, strategy = db.PlanarArm(2), db.MotorBabbling()
-    task = Task(environment=arm, strategy=strategy, n=10, rng=3)
-    assert task.environment is arm
-    assert task.strategy is strategy
-    assert (task.n, task.rng) == (10, 3)
-
-
 def test_over_seeds_differs_in_the_seed_alone():
     tasks = list(TASK.over([4, None, 2]))
     assert [task.rng for task in tasks] == [4, None, 2]

@@ -45,13 +45,16 @@ def test_pickles_are_not_opened(tmp_path):
     "content", [npz(), npz(a=np.zeros(3)), npz(commands=np.zeros((3, 2)), effects=np.zeros((3, 2)))]
 )
 def test_a_foreign_npz(content, tmp_path):
-    refused(tmp_path / "run", content)
+    assert "it does not say its format" in refused(tmp_path / "run", content)
 
 
-def test_a_plain_npy(tmp_path):
+def test_what_is_no_npz(tmp_path):
     file = io.BytesIO()
     np.save(file, np.zeros((3, 2)))
-    refused(tmp_path / "run", file.getvalue())
+    for content in (file.getvalue(), b"hello"):
+        message = refused(tmp_path / "run", content)
+        assert "it is no npz file" in message
+        assert "allow_pickle" not in message
 
 
 @pytest.mark.parametrize(

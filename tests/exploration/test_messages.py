@@ -1,6 +1,5 @@
 """Errors of an exploration say who is to blame, and what to do instead."""
 
-import numpy as np
 import pytest
 
 import divbandit as db
@@ -47,16 +46,3 @@ def test_what_a_strategy_has_learned_is_read_from_the_explorer():
         explorer.tell(trial, [1.0, 0.0])
     assert explorer.estimates == (0.0,)
     assert given.estimates is None
-
-
-def test_a_text_file_is_no_exploration(tmp_path):
-    (tmp_path / "run").write_text("hello", encoding="utf-8")
-    with pytest.raises(ValueError, match="it is no npz file") as caught:
-        db.Exploration.load(tmp_path / "run")
-    assert "allow_pickle" not in str(caught.value)
-
-
-def test_another_npz_is_no_exploration(tmp_path):
-    np.savez(tmp_path / "run.npz", a=np.zeros(3))
-    with pytest.raises(ValueError, match="it does not say its format"):
-        db.Exploration.load(tmp_path / "run.npz")

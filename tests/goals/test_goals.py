@@ -153,15 +153,6 @@ def test_cells_come_in_random_order_and_goals_are_uniform_in_them():
     assert stats.kstest(drawn.ravel(), stats.uniform().cdf).pvalue > LEVEL
 
 
-def test_the_same_grid_for_boxes_of_other_dimensions():
-    goals, rng = GridGoals(2), np.random.default_rng(0)
-    for s in (1, 2, 1, 3):
-        history = db.History(db.Box([0], [1]), db.Box([0] * s, [1] * s))
-        sampler = goals.start(history)
-        drawn = {tuple((2 * sampler.sample(history, rng)).astype(int)) for _ in range(2**s)}
-        assert len(drawn) == 2**s
-
-
 @every
 @given(history=histories(), seed=SEEDS)
 @settings(max_examples=25, deadline=None, derandomize=True)

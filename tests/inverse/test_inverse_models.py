@@ -197,11 +197,3 @@ def test_a_model_says_what_it_must_be_given(model):
     with pytest.raises(TypeError, match="value must be an inverse model of the library, got int"):
         type(at_work)(3)
     assert state(rng) == state(np.random.default_rng(0))
-
-
-def test_a_history_is_not_changed():
-    past = history(2, 2, 10, 0)
-    for model in ALL.values():
-        before = past.commands.tolist(), past.effects.tolist()
-        model().command([0.0, 0.0], past, np.random.default_rng(0))
-        assert (past.commands.tolist(), past.effects.tolist()) == before

@@ -63,3 +63,27 @@ COPIES = {
     "deepcopy": copy.deepcopy,
     "pickle": lambda value: pickle.loads(pickle.dumps(value)),  # noqa: S301
 }
+
+
+class Furthest:
+    """How far the farthest effect is from 0: a user's measure, which starts itself."""
+
+    largest_gain = 0.0
+
+    def start(self, dim):
+        self.dim, self.measure, self.count = dim, 0.0, 0
+        return self
+
+    def gain(self, effect):
+        return max(self.measure, float(np.linalg.norm(effect))) - self.measure
+
+    def add(self, effect):
+        gain = self.gain(effect)
+        self.measure, self.count = self.measure + gain, self.count + 1
+        return gain
+
+    def extend(self, effects):
+        return np.array([self.add(effect) for effect in effects])
+
+    def __len__(self):
+        return self.count

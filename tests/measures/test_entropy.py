@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from divbandit.measures import Entropy, GridCoverage
+from divbandit.measures import Entropy
 from tests.reference import measures as reference
 
 
@@ -99,16 +99,6 @@ def test_one_outlier_among_many():
     entropy.extend(placed([100_000, 1]))
     assert entropy.measure == reference.entropy([100_000, 1])
     assert abs(entropy.measure - entropy_of([100_000, 1])) <= rounding(100_001)
-
-
-def test_cells_are_those_of_grid_coverage():
-    effects = np.random.default_rng(1).normal(size=(300, 3))
-    grid = GridCoverage([0.5, 1.0, 0.1], origin=[0, 0.3, 0]).start(3)
-    entropy = Entropy([0.5, 1.0, 0.1], origin=[0, 0.3, 0]).start(3)
-    new = grid.extend(effects)
-    gains = entropy.extend(effects)
-    # Most cells are occupied by one effect: a new one raises the entropy, an old one lowers it.
-    assert ((gains > 0) == (new > 0))[1:].all()
 
 
 def test_too_many_cells_away():

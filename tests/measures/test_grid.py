@@ -1,7 +1,6 @@
 """GridCoverage: cells counted by hand, and by a plain oracle."""
 
 import math
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -40,30 +39,6 @@ def test_the_origin_is_a_corner():
     assert gains() == [1, 1, 0]
     assert gains(origin=0.5) == [1, 0, 1]
     assert gains(origin=[-0.5, 7]) == [1, 0, 1]
-
-
-@pytest.mark.parametrize("dim", [1, 2, 3, 7])
-@pytest.mark.parametrize("cell", [0.125, 0.1, 1 / 3, 5.0])
-def test_equals_cells_found_with_fractions(dim, cell):
-    """Away from borders rounding plays no part: the exact quotient has the same floor."""
-    effects = np.random.default_rng(dim).uniform(-1, 1, (400, dim))
-    exact = {tuple(math.floor(Fraction(x) / Fraction(cell)) for x in row) for row in effects}
-    grid = GridCoverage(cell).start(dim)
-    gains = grid.extend(effects)
-    assert grid.measure == gains.sum() == len(exact)
-
-
-def test_a_measure_does_not_depend_on_the_order():
-    effects = np.random.default_rng(0).normal(size=(500, 2))
-    forwards, backwards = GridCoverage(0.3).start(2), GridCoverage(0.3).start(2)
-    forwards.extend(effects)
-    backwards.extend(effects[::-1])
-    assert forwards.measure == backwards.measure
-
-
-def test_many_dimensions():
-    corners = np.array(np.meshgrid(*[[0.0, 1.0]] * 10)).reshape(10, -1).T
-    assert GridCoverage(1.0).start(10).extend(corners).tolist() == [1.0] * 1024
 
 
 @pytest.mark.parametrize("far", [1e16, 1e100, 1e300, -1e300, 1.7e308, -1.7e308])

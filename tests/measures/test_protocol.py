@@ -20,7 +20,7 @@ from divbandit.measures import (
     Sparseness,
 )
 from divbandit.measures.start import start_measure
-from tests.measures.every import NAMES, VALUES, clustered, specified, started
+from tests.measures.every import NAMES, VALUES, Furthest, clustered, specified, started
 
 # Multiples of a quarter meet borders of cells and each other; others lie anywhere.
 coordinate = st.integers(-8, 8).map(lambda k: k / 4) | st.floats(-2, 2)
@@ -249,30 +249,6 @@ def test_other_threads_go_on_while_many_effects_are_added():
     worker.join()
     assert ticks > 100
     assert len(measure) == len(points)
-
-
-class Furthest:
-    """How far the farthest effect is from 0: a user's measure, which starts itself."""
-
-    largest_gain = 0.0
-
-    def start(self, dim):
-        self.dim, self.measure, self.count = dim, 0.0, 0
-        return self
-
-    def gain(self, effect):
-        return max(self.measure, float(np.linalg.norm(effect))) - self.measure
-
-    def add(self, effect):
-        gain = self.gain(effect)
-        self.measure, self.count = self.measure + gain, self.count + 1
-        return gain
-
-    def extend(self, effects):
-        return np.array([self.add(effect) for effect in effects])
-
-    def __len__(self):
-        return self.count
 
 
 def test_a_users_measure_is_copied_before_it_is_started():

@@ -25,7 +25,7 @@ def replay(adapt, effects, paths, prefix=(), measure=None):
     measure : running measure, optional
         What gains are taken by; the coverage with the Adapt's tau by default.
     """
-    measure = measure or db.Coverage(adapt.tau)
+    measure = db.Coverage(adapt.tau) if measure is None else measure
     windows = [[measure.largest_gain] * adapt.head_start for _ in adapt.strategies]
     beliefs = [_means(windows)]
     for effect, path in zip(effects, paths, strict=True):

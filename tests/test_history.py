@@ -67,7 +67,3 @@ def test_nearest_is_brute_force_at_any_moment(name):
 def test_nothing_is_near_in_an_empty_history():
     with pytest.raises(ValueError, match="history must not be empty"):
         db.History(SPACE, PLANE).nearest([0, 0])
-
-
-def test_its_repr_says_its_size():
-    assert "10 evaluations" in repr(filled(10)[0])

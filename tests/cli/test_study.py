@@ -62,21 +62,3 @@ def test_the_seed_changes_the_numbers(made, tmp_path, capsys):
     name = "composition.csv"
     assert (tmp_path / name).read_bytes() != (made / name).read_bytes()
     capsys.readouterr()
-
-
-@pytest.mark.parametrize(
-    ("words", "named"),
-    [
-        (["study"], "name"),
-        (["study", "paint"], "paint"),
-        (["study", "rules", "--repetitions", "0"], "--repetitions"),
-        (["study", "rules", "--steps", "4"], "--steps"),
-        (["study", "rules", "--steps", "many"], "--steps"),
-        (["study", "rules", "--seed", "-1"], "--seed"),
-        (["study", "rules", "--jobs", "0"], "--jobs"),
-        (["study", "rules", "strategies"], "strategies"),
-    ],
-)
-def test_wrong_words_are_named(words, named, capsys):
-    assert main(words) == 2
-    assert named in capsys.readouterr().err

@@ -94,11 +94,6 @@ def test_a_generator_gives_one_number_at_the_call():
     assert [bits(runs[place]) for place in range(3)] == explored([SHORT] * 3, rng=seed)
 
 
-def test_without_a_seed_all_differ():
-    runs = explored([SHORT] * 3) + explored([SHORT] * 3)
-    assert len({run[0] for run in runs}) == 6
-
-
 def test_a_seed_of_its_own_is_used_and_moves_no_other():
     mixed = [SHORT, *SHORT.over([5]), SHORT]
     plain = explored([SHORT] * 3, rng=1)
@@ -139,12 +134,6 @@ def test_what_keep_returns_is_kept(jobs):
     )
     plain = {seed: db.explore(ARM, ADAPT, n=30, rng=seed).effects[-1, 0] for seed in range(9)}
     assert kept == plain
-
-
-def test_keep_may_return_none():
-    assert sorted(db.explore_many([SHORT] * 3, keep=lambda _: None)) == [
-        (k, None) for k in range(3)
-    ]
 
 
 @pytest.mark.parametrize("jobs", [1, 3])

@@ -50,14 +50,6 @@ def test_a_longer_run_begins_like_a_shorter_one():
     assert long.estimates[:100].tobytes() == short.estimates.tobytes()
 
 
-def test_ask_and_tell_is_what_explore_does():
-    explorer = db.Explorer(ADAPT, ARM.motor_space, ARM.sensory_space, rng=2)
-    for _ in range(N):
-        trial = explorer.ask()
-        explorer.tell(trial, ARM(trial.command))
-    assert bits(explorer.result()) == explored(2)
-
-
 def test_ask_and_tell_accepts_what_any_lab_sends_back():
     """The effect may come as a list, in another type, or with another layout."""
     plain, varied = (

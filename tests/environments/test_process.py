@@ -120,15 +120,19 @@ def test_an_interrupted_evaluation_leaves_nothing(tmp_path):
     def interrupt():
         while not (tmp_path / "pid").is_file() or not (tmp_path / "pid").read_text():
             time.sleep(0.01)
-        os.kill(os.getpid(), signal.SIGINT)
+        # One that comes just before the wait is heard after it: then another is needed.
+        while not interrupted.is_set():
+            os.kill(os.getpid(), signal.SIGINT)
+            interrupted.wait(5)
 
-    thread = threading.Thread(target=interrupt)
+    interrupted, thread = threading.Event(), threading.Thread(target=interrupt)
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         thread.start()
         with pytest.raises(KeyboardInterrupt):
             slow([0, 0])
     finally:
+        interrupted.set()
         thread.join()
         signal.signal(signal.SIGINT, before)
     assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))

@@ -10,7 +10,7 @@ from divbandit.studies import composition, environments, rules, strategies
 from divbandit.studies.study import STUDIES
 from divbandit.studies.worlds import worlds
 
-SMALL = ["--repetitions", "2", "--steps", "60"]
+SMALL = ["--repetitions", "2", "--steps", "30"]
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +43,7 @@ def test_the_table_of_numbers_has_every_exploration(made, name, count):
     with (made / f"{name}.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == count
-    assert all(0 < float(row["coverage"]) < 60 * 3.15 * setting.TAU**2 for row in rows)
+    assert all(0 < float(row["coverage"]) < 30 * 3.15 * setting.TAU**2 for row in rows)
 
 
 @pytest.mark.parametrize("name", STUDIES)

@@ -13,7 +13,7 @@ from tests.environments.random_scenes import Scene, among, rest_clearance, scene
 from tests.reference import contact
 
 SCENES = 500
-STEPS = 10_000
+STEPS = 5_000
 #: What may be left between the arm and what it touches, in metres.
 LEFT = 1e-6
 #: The share of the way to which contact is found, and what is contact, in metres, for rounding.

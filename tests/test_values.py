@@ -98,7 +98,7 @@ PARTS = [
     c.MovementPrimitives(2, basis=3, steps=7, weights=2, goals=None, start=[0.5, 0], limit=1),
     c.ViaPoints([-1], [1], steps=4),
     c.ViaPoints(np.array([-1.0]), [1], steps=4, points=2, start=[0.5]),
-    c.Openm.Loop(c.MovementPrimitives(1, basis=2, steps=3)),
+    c.OpenLoop(c.MovementPrimitives(1, basis=2, steps=3)),
     c.Tracking(c.ViaPoints([-1], [1], steps=4), halves, halves, dt=1, stiffness=2, damping=0),
     c.Tracking(
         c.ViaPoints([-1], [1], steps=4),
@@ -334,7 +334,7 @@ def public_values():
 
 
 def test_every_public_class_has_an_instance_here():
-    # An Obstacle is abstract; a m.Loop is a result, which has its own tests.
+    # An Obstacle is abstract; a Loop is a result, which has its own tests.
     assert public_values() - {type(part) for part in PARTS} - {Obstacle, m.Loop} == set()
 
 

@@ -14,6 +14,7 @@ from divbandit import _core
 KINDS = (*(name for name in db.__all__ if inspect.ismodule(getattr(db, name))), "strategies")
 
 #: What only the library itself calls.
+WITHIN = ("strategies.Starter.copy_of", "strategies.Starter.value_or_copy")
 
 
 def public():

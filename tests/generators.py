@@ -60,3 +60,8 @@ def _unscrambled(word):
     for _ in range(2):  # the highest 11 bits are right, and 11 more after each round
         found = word ^ found >> 11
     return found
+
+
+def draw_from(explorer, rng):
+    """Let an explorer draw from another generator from now on."""
+    explorer._rng = explorer._driver._rng = rng  # noqa: SLF001

@@ -6,7 +6,7 @@ Each runs in Python and in the engine, which must do the same.
 import pytest
 
 import divbandit as db
-from tests.generators import draws_from, scripted
+from tests.generators import draw_from, draws_from, scripted
 
 SPACE = db.Box([0], [1])
 PLANE = db.Box([0, 0], [1, 1])
@@ -35,7 +35,7 @@ class Drive:
 
     def ask(self, *numbers):
         """Return a trial for which these numbers were drawn, and one for the command."""
-        self.explorer.rng = scripted(*numbers, 0.5)
+        draw_from(self.explorer, scripted(*numbers, 0.5))
         trial = self.explorer.ask()
         assert draws_from(self.explorer.rng) == len(numbers) + 1
         return trial

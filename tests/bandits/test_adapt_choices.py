@@ -8,6 +8,7 @@ import pytest
 from scipy import stats
 
 from tests.bandits.script import Drive, both_engines
+from tests.generators import draw_from
 
 LEVEL = 1e-4
 N = 20_000
@@ -24,7 +25,7 @@ def prepared(engine, alpha):
 
 
 def counts(run):
-    run.explorer.rng = np.random.default_rng(0)
+    draw_from(run.explorer, np.random.default_rng(0))
     chosen = [run.explorer.ask().path[0] for _ in range(N)]
     return np.bincount(chosen, minlength=len(run.estimates))
 

@@ -10,7 +10,7 @@ import pytest
 
 import divbandit as db
 from divbandit.bandits import Gain
-from divbandit.callbacks import Every, Progress, diversity
+from divbandit.callbacks import Every, Progress, diversity, progress
 from tests.callbacks.scripts import Total, explorer, scripted
 
 
@@ -96,6 +96,7 @@ def test_each_call_draws_once(capsys):
 def test_where_effects_come_faster_than_they_are_measured_it_says_of_how_many(monkeypatch, capsys):
     now = [0.0]
     monkeypatch.setattr(diversity, "monotonic", lambda: now[0])
+    monkeypatch.setattr(progress, "_LAST_MEASURING", 0.01)
 
     class Slow(Total):
         def extend(self, effects):

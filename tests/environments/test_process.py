@@ -201,7 +201,8 @@ def test_several_at_once_and_failures_survived():
     code = "x = float(sys.argv[1]); print([x, x * x]) if x > -0.5 else sys.exit(3)"
     risky = program(code, sensory_space=db.Box([-1, 0], [1, 1]))
     with ThreadPoolExecutor(4) as executor:
-        run = db.explore(risky, db.MotorBabbling(), 24, rng=0, executor=executor, in_flight=4)
+        options = {"executor": executor, "in_flight": 4, "on_error": "record"}
+        run = db.explore(risky, db.MotorBabbling(), 24, rng=0, **options)
     assert len(run.effects) + len(run.failures) == 24
     assert 0 < len(run.failures) < 24
     np.testing.assert_array_equal(run.effects[:, 0], run.commands[:, 0])

@@ -56,7 +56,7 @@ test-rust:
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --package divbandit-core
 
 test-python: $(VENV)/.test develop
-	MPLBACKEND=Agg $(BIN)/python -m pytest --numprocesses auto
+	MPLBACKEND=Agg $(BIN)/python -m pytest --numprocesses auto --dist worksteal
 
 test-wheel: $(VENV)/.test # the wheel alone, with NumPy and nothing else, in an empty environment
 	rm -rf dist .wheel-venv

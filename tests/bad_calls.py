@@ -1,10 +1,19 @@
 """Every public entry point, its arguments, and what is passed for each by mistake."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 
 import divbandit as db
+from divbandit import bandits as b
+from divbandit import controllers as c
+from divbandit import environments as e
+from divbandit import experiments
+from divbandit import goals as g
+from divbandit import inverse as i
+from divbandit import measures as m
+from divbandit.experiments import Task
 from tests.bad_values import (
     COUNTS,
     FLAGS,
@@ -23,8 +32,7 @@ from tests.bad_values import (
 from tests.world import InTurn
 
 RMB, Function, Tree = db.MotorBabbling(), db.FunctionEnvironment, db.NearestNeighbors
-Grid, Entropy, Sparseness = db.measures.GridCoverage, db.measures.Entropy, db.measures.Sparseness
-FREE = db.controllers.MovementPrimitives(2)
+FREE = c.MovementPrimitives(2)
 
 
 def many(tasks):
@@ -59,17 +67,13 @@ SHARE = NUMBER | {"below zero": -1e-9, "above one": 1 + 1e-9}
 UPTO_1 = SHARE | {"zero": 0.0}
 STRICT_SHARE = UPTO_1 | {"one": 1.0}
 FROM_1 = COUNT | {"zero": 0}
-NOT_PARTS = {"a number": 5, "a class": db.inverse.KNearest, "another": db.goals.UniformGoals}
+SIZE = FROM_1 | HUGE | NONE
+NOT_PARTS = {"a number": 5, "a class": i.KNearest, "another": g.UniformGoals}
 # A number, or one for each of two coordinates.
 PLACES = without(NUMBERS, "an array", "a list", "an array of one") | {"rows": [[1.0, 1.0]]}
 EDGES = {"text": "0.5", "zero": 0.0, "below zero": -0.1, "one is zero": [1.0, 0.0]}
 NOT_CALLBACKS = NONE | {"a class": db.callbacks.Progress, "a number": 5, "text": "2h"}
-NOT_OBSTACLES = {
-    "a number": 5,
-    "None": None,
-    "a disc alone": db.environments.Disc([0, 1], 0.1),
-    "texts": ["a"],
-}
+NOT_OBSTACLES = {"a number": 5, "None": None, "a disc alone": e.Disc([0, 1], 0.1), "texts": ["a"]}
 CELLS = without(COUNTS, "a list", "an array", "an array of one") | {
     "zero": 0,
     "None": None,
@@ -79,24 +83,23 @@ CELLS = without(COUNTS, "a list", "an array", "an array of one") | {
     "rows": np.array([[2, 2]]),
     "huge": 10**8,
 }
+POINT_OR_ROWS = POINT | some(ROWS, "a bad second row")
+FREELY = some(points(12), "nan", "too long") | {"beyond": [1.5] * 12}
 BEYOND = {"beyond": [0.0, 1.5]}
 FAR = {"far": [0.0, 1e301]}
 FAR_ROWS = {"a far second row": [[0.0, 0.0], [-1e301, 0.0]]}
-PATHS = {"text": "ab", "a number": 1, "None": None, "floats": (0.5,), "negative": (-1,)}
+PATHS = {"text": "ab", "a number": 1, "None": None, "a list": [1], "floats": (0.5,)}
+PATHS |= {"negative": (0, -1), "too large": (2**32,)}
 NOT_TRIALS = {"None": None, "a command": [0.0, 0.0], "text": "ab"}
 NOT_WORLDS = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "an object": object()}
 NOT_A_WORLD = {"a function": abs}
-NOT_CALLABLE = {"a number": 0.02, "a list": [abs], "a measure": Grid(1.0)}
+NOT_CALLABLE = {"a number": 0.02, "a list": [abs], "a measure": m.GridCoverage(1.0)}
 NO_FUNCTION = {"None": None, "7": 7}
-NOT_TASKS = {
-    "None": None,
-    "a number": 5,
-    "a single one": db.experiments.Task(db.PlanarArm(2), RMB, 3),
-}
+NOT_TASKS = {"None": None, "a number": 5, "a single one": Task(db.PlanarArm(2), RMB, 3)}
 NOT_A_TASK = {"None": None, "a tuple": (db.PlanarArm(2), RMB, 3), "a strategy": RMB}
 NOT_COUNTS = {f"one is {name}": [1, value] for name, value in FROM_1.items()}
 NOT_ONE = {"None": None, "a class": db.MotorBabbling, "text": "ab", "a list": [RMB]}
-NOT_BANDIT_PARTS = {"None": None, "7": 7, "a class": db.bandits.Window, "a strategy": 0.5}
+NOT_BANDIT_PARTS = {"None": None, "7": 7, "a class": b.Window, "a strategy": 0.5}
 NOT_BODIES = {"None": None, "a box": db.Box([0], [1]), "a class": dict, "a function": abs}
 NOT_WORDS = {
     "None": None,
@@ -109,21 +112,20 @@ NOT_WORDS = {
     "a zero byte": ["a\0b"],
 }
 NOT_TEXTS = {"a number": 5, "bytes": b"y", "a list": ["y"], "object": object()}
-NOT_REWARDS = {"7": 7, "a class": db.bandits.Gain, "text": "ab", "under way": db.Coverage(1.0)}
+NOT_REWARDS = {"7": 7, "a class": b.Gain, "text": "ab", "under way": db.Coverage(1.0)}
 NOT_EXPLORATIONS = {"7": 7, "effects": [[0, 0]], "a history": db.History(db.Box([0], [1]))}
 
 
 def primitives(**options):
-    return db.controllers.MovementPrimitives(2, **options)
+    return c.MovementPrimitives(2, **options)
 
 
 def program(**options):
-    return db.environments.ProcessEnvironment(["a"], db.Box([0], [1]), **options)
+    return e.ProcessEnvironment(["a"], db.Box([0], [1]), **options)
 
 
 def bandit(**part):
     """Return a bandit, one part of which is another."""
-    b = db.bandits
     whole = {"tau": 1.0, "estimator": b.Window(), "policy": b.UCB()} | part
     return db.Bandit(whole.pop("strategies", [RMB]), **whole)
 
@@ -131,22 +133,29 @@ def bandit(**part):
 def episodes(**argument):
     """Return a black box of episodes, one argument of which is another."""
     space = db.Box([-1.0, -1.0], [1.0, 1.0])
-    controller = db.controllers.FunctionController(lambda *_: [0.0], space)
+    controller = c.FunctionController(lambda *_: [0.0], space)
     whole = {"make": "Pendulum-v1", "controller": controller, "effect": abs, "steps": 2, "seed": 0}
-    return db.environments.GymnasiumEnvironment(**whole | argument)
+    return e.GymnasiumEnvironment(**whole | argument)
 
 
 def tracking(**argument):
     """Return a controller that tracks, one argument of which is another."""
     whole = {"primitives": VIA, "positions": abs, "velocities": abs}
     options = {"dt": 0.1, "stiffness": 1.0, "damping": 1.0}
-    return db.controllers.Tracking(**whole | options | argument)
+    return c.Tracking(**whole | options | argument)
 
 
-VIA = db.controllers.ViaPoints([-1.0, -1.0], [1.0, 1.0], steps=4)
-NOT_CONTROLLERS = {"None": None, "a function": abs, "a class": db.controllers.Tracking}
+VIA = c.ViaPoints([-1.0, -1.0], [1.0, 1.0], steps=4)
+NOT_CONTROLLERS = {
+    "None": None,
+    "a function": abs,
+    "a class": c.Tracking,
+    "no policy": SimpleNamespace(motor_space=VIA.motor_space),
+    "no motor space": SimpleNamespace(begin=abs),
+    "a number as motor space": SimpleNamespace(begin=abs, motor_space=5),
+}
 NOT_PRIMITIVES = {"None": None, "a function": abs, "a box": db.Box([0], [1]), "text": "ab"}
-NO_STRENGTHS = some(POINTS, "text", "nan") | {"below zero": -0.1}
+NO_STRENGTHS = some(POINTS, "text", "nan") | {"below zero": -0.1, "one is below": [1, -1]}
 
 # (what is called, the argument, what is passed, how)
 #: What is no measure by its looks; others are found out when they are started.
@@ -160,21 +169,16 @@ TABLE = [
     ("PlanarArm", "self_contact", FLAG, lambda _, x: db.PlanarArm(2, self_contact=x)),
     ("PlanarArm.progress", "command", POINT, lambda _, x: db.PlanarArm(2).progress(x)),
     ("PlanarArm.follow", "trajectory", POINT, lambda _, x: db.PlanarArm(2).follow(x)),
-    ("PushArm", "ball", POINT, lambda _, x: db.environments.PushArm(2, ball=x)),
-    ("PushArm", "ball_radius", POSITIVE, lambda _, x: db.environments.PushArm(2, ball_radius=x)),
-    ("Disc", "center", POINT, lambda _, x: db.environments.Disc(x, 0.1)),
-    ("Disc", "radius", POSITIVE, lambda _, x: db.environments.Disc([0, 0], x)),
-    ("Rectangle", "low", POINT, lambda _, x: db.environments.Rectangle(x, [1, 1])),
-    ("Rectangle", "high", POINT, lambda _, x: db.environments.Rectangle([-1, -1], x)),
-    ("Polygon", "points", ROW, lambda _, x: db.environments.Polygon(x)),
-    ("Wall", "start", POINT, lambda _, x: db.environments.Wall(x, [1, 1])),
-    ("Wall", "end", POINT, lambda _, x: db.environments.Wall([1, 1], x)),
-    (
-        "Wall",
-        "thickness",
-        NOT_BELOW,
-        lambda _, x: db.environments.Wall([0, 0], [1, 1], thickness=x),
-    ),
+    ("PushArm", "ball", POINT, lambda _, x: e.PushArm(2, ball=x)),
+    ("PushArm", "ball_radius", POSITIVE, lambda _, x: e.PushArm(2, ball_radius=x)),
+    ("Disc", "center", POINT, lambda _, x: e.Disc(x, 0.1)),
+    ("Disc", "radius", POSITIVE, lambda _, x: e.Disc([0, 0], x)),
+    ("Rectangle", "low", POINT, lambda _, x: e.Rectangle(x, [1, 1])),
+    ("Rectangle", "high", POINT, lambda _, x: e.Rectangle([-1, -1], x)),
+    ("Polygon", "points", ROW, lambda _, x: e.Polygon(x)),
+    ("Wall", "start", POINT, lambda _, x: e.Wall(x, [1, 1])),
+    ("Wall", "end", POINT, lambda _, x: e.Wall([1, 1], x)),
+    ("Wall", "thickness", NOT_BELOW, lambda _, x: e.Wall([0, 0], [1, 1], thickness=x)),
     (
         "PlanarArm",
         "limit",
@@ -187,43 +191,24 @@ TABLE = [
     ("Function", "motor_space", NOT_SPACES, lambda _, x: Function(abs, x)),
     ("Function", "sensory_space", SPACE, lambda w, x: Function(abs, w.box, x)),
     ("Function", "scalars", FLAG, lambda w, x: Function(abs, w.box, scalars=x)),
-    (
-        "Process",
-        "command_line",
-        NOT_WORDS,
-        lambda w, x: db.environments.ProcessEnvironment(x, w.box),
-    ),
-    (
-        "Process",
-        "motor_space",
-        NOT_SPACES,
-        lambda _, x: db.environments.ProcessEnvironment(["a"], x),
-    ),
+    ("Process", "command_line", NOT_WORDS, lambda w, x: e.ProcessEnvironment(x, w.box)),
+    ("Process", "motor_space", NOT_SPACES, lambda _, x: e.ProcessEnvironment(["a"], x)),
     ("Process", "sensory_space", SPACE, lambda _, x: program(sensory_space=x)),
     ("Process", "timeout", POSITIVE | {"too long": 1e7}, lambda _, x: program(timeout=x)),
     ("Process", "entry", NOT_TEXTS, lambda _, x: program(entry=x)),
     ("Process()", "command", some(points(1), "text", "too long"), lambda _, x: program()(x)),
-    ("Primitives", "dofs", FROM_1 | HUGE | NONE, lambda _, x: db.controllers.MovementPrimitives(x)),
-    ("Primitives", "basis", FROM_1 | HUGE | NONE | {"one": 1}, lambda _, x: primitives(basis=x)),
-    ("Primitives", "steps", FROM_1 | HUGE | NONE, lambda _, x: primitives(steps=x)),
+    ("Primitives", "dofs", SIZE, lambda _, x: c.MovementPrimitives(x)),
+    ("Primitives", "basis", SIZE | {"one": 1}, lambda _, x: primitives(basis=x)),
+    ("Primitives", "steps", SIZE, lambda _, x: primitives(steps=x)),
     ("Primitives", "weights", POSITIVE, lambda _, x: primitives(weights=x)),
     ("Primitives", "goals", POSITIVE, lambda _, x: primitives(goals=x)),
     ("Primitives", "start", POINT, lambda _, x: primitives(start=x)),
     ("Primitives", "limit", POSITIVE, lambda _, x: primitives(limit=x)),
-    (
-        "trajectory",
-        "command",
-        some(points(12), "nan", "too long") | {"beyond": [1.5] * 12},
-        lambda _, x: FREE.trajectory(x),
-    ),
-    ("Controlled", "body", NOT_BODIES, lambda _, x: db.environments.Controlled(x, FREE)),
-    ("Controlled", "controller", NOT_BODIES, lambda w, x: db.environments.Controlled(w.arm, x)),
-    (
-        "Controlled()",
-        "command",
-        some(points(12), "nan", "too long") | {"beyond": [1.5] * 12},
-        lambda _, x: db.environments.Controlled(db.PlanarArm(2), FREE)(x),
-    ),
+    ("Primitives", "start", {"beyond": [2.0, 0.0]}, lambda _, x: primitives(start=x, limit=1)),
+    ("trajectory", "command", FREELY, lambda _, x: FREE.trajectory(x)),
+    ("Controlled", "body", NOT_BODIES, lambda _, x: e.Controlled(x, FREE)),
+    ("Controlled", "controller", NOT_BODIES, lambda w, x: e.Controlled(w.arm, x)),
+    ("Controlled()", "command", FREELY, lambda _, x: e.Controlled(db.PlanarArm(2), FREE)(x)),
     ("environment()", "command", BATCH | BEYOND, lambda w, x: w.environment(x)),
     ("Gymnasium", "make", {"None": None, "7": 7}, lambda _, x: episodes(make=x)),
     ("Gymnasium", "make", {"no id": "Nowhere-v0"}, lambda _, x: episodes(make=x)([0.0, 0.0])),
@@ -243,19 +228,9 @@ TABLE = [
     ("Tracking", "damping", NO_STRENGTHS, lambda _, x: tracking(damping=x)),
     ("Tracking", "limit", NO_STRENGTHS, lambda _, x: tracking(limit=x)),
     ("Tracking", "turns", FLAG, lambda _, x: tracking(turns=x)),
-    ("OpenLoop", "primitives", NOT_PRIMITIVES, lambda _, x: db.controllers.OpenLoop(x)),
-    (
-        "FunctionController",
-        "f",
-        {"None": None},
-        lambda w, x: db.controllers.FunctionController(x, w.box),
-    ),
-    (
-        "FunctionController",
-        "motor_space",
-        NOT_SPACES,
-        lambda _, x: db.controllers.FunctionController(abs, x),
-    ),
+    ("OpenLoop", "primitives", NOT_PRIMITIVES, lambda _, x: c.OpenLoop(x)),
+    ("FunctionController", "f", {"None": None}, lambda w, x: c.FunctionController(x, w.box)),
+    ("FunctionController", "motor_space", NOT_SPACES, lambda _, x: c.FunctionController(abs, x)),
     ("ViaPoints.trajectory", "command", BATCH | BEYOND, lambda _, x: VIA.trajectory(x)),
     ("Box", "low", CORNERS | {"above high": [1.5]}, lambda _, x: db.Box(x, [1.0])),
     ("Box", "low", {"empty": []}, lambda _, x: db.Box(x, x)),
@@ -268,80 +243,50 @@ TABLE = [
     ("GoalBabbling", "goals", SPACE | NOT_PARTS, lambda _, x: db.GoalBabbling(goals=x)),
     ("GoalBabbling", "inverse", NOT_PARTS, lambda _, x: db.GoalBabbling(inverse=x)),
     (
-        "GoalBabbling with an inverse model",
+        "with a model",
         "d",
         SHARE | {"another": 0.1},
-        lambda _, x: db.GoalBabbling(x, inverse=db.inverse.KNearest()),
+        lambda _, x: db.GoalBabbling(x, inverse=i.KNearest()),
     ),
-    ("UniformGoals", "box", SPACE, lambda _, x: db.goals.UniformGoals(x)),
-    ("GridGoals", "cells", CELLS, lambda _, x: db.goals.GridGoals(x)),
-    ("GridGoals", "box", SPACE, lambda _, x: db.goals.GridGoals(3, box=x)),
-    ("GridGoals", "cells", {"of 3": [2, 2, 2]}, lambda w, x: db.goals.GridGoals(x, box=w.box)),
-    ("UncoveredGoals", "tau", POSITIVE, lambda _, x: db.goals.UncoveredGoals(x)),
-    (
-        "UncoveredGoals",
-        "tries",
-        FROM_1 | HUGE | NONE,
-        lambda _, x: db.goals.UncoveredGoals(1.0, tries=x),
-    ),
-    ("UncoveredGoals", "box", SPACE, lambda _, x: db.goals.UncoveredGoals(1.0, box=x)),
-    ("FrontierGoals", "tau", POSITIVE, lambda _, x: db.goals.FrontierGoals(x)),
-    ("FrontierGoals", "reach", FROM_ONE, lambda _, x: db.goals.FrontierGoals(1.0, reach=x)),
-    (
-        "FrontierGoals",
-        "tries",
-        FROM_1 | HUGE | NONE,
-        lambda _, x: db.goals.FrontierGoals(1.0, tries=x),
-    ),
-    ("FrontierGoals", "box", SPACE, lambda _, x: db.goals.FrontierGoals(1.0, box=x)),
-    ("NovelGoals", "candidates", FROM_1 | HUGE | NONE, lambda _, x: db.goals.NovelGoals(x)),
-    ("NovelGoals", "box", SPACE, lambda _, x: db.goals.NovelGoals(box=x)),
-    ("sampler.sample", "rng", GENERATOR, lambda w, x: db.goals.NovelGoals().sample(w.history, x)),
-    ("NearestNeighbor", "d", SHARE, lambda _, x: db.inverse.Nearest(x)),
-    ("NearestNeighbor", "goal", POINT, lambda w, x: db.inverse.Nearest().command(x, *w.past())),
-    ("KNearest", "k", FROM_1 | HUGE | NONE, lambda _, x: db.inverse.KNearest(x)),
-    ("KNearest", "d", SHARE, lambda _, x: db.inverse.KNearest(1, x)),
-    ("KNearest", "goal", POINT, lambda w, x: db.inverse.KNearest().command(x, *w.past())),
-    (
-        "KNearest",
-        "rng",
-        GENERATOR,
-        lambda w, x: db.inverse.KNearest().command([0, 0], w.history, x),
-    ),
-    ("UntriedGoals", "tau", POSITIVE, lambda _, x: db.goals.UntriedGoals(x)),
-    (
-        "UntriedGoals",
-        "candidates",
-        FROM_1 | HUGE,
-        lambda _, x: db.goals.UntriedGoals(1.0, candidates=x),
-    ),
-    (
-        "UntriedGoals",
-        "tries",
-        FROM_1 | HUGE | NONE,
-        lambda _, x: db.goals.UntriedGoals(1.0, tries=x),
-    ),
-    ("UntriedGoals", "reach", FROM_ONE, lambda _, x: db.goals.UntriedGoals(1.0, reach=x)),
-    ("UntriedGoals", "box", SPACE, lambda _, x: db.goals.UntriedGoals(1.0, box=x)),
-    ("LocalJacobian", "k", FROM_1 | HUGE | NONE, lambda _, x: db.inverse.LocalJacobian(x)),
-    ("LocalJacobian", "used", FROM_1 | HUGE | NONE, lambda _, x: db.inverse.LocalJacobian(9, x)),
-    ("LocalJacobian", "ridge", POSITIVE, lambda _, x: db.inverse.LocalJacobian(ridge=x)),
-    ("LocalJacobian", "reach", SHARE, lambda _, x: db.inverse.LocalJacobian(reach=x)),
-    ("LocalJacobian", "noise", SHARE, lambda _, x: db.inverse.LocalJacobian(noise=x)),
-    ("LocalJacobian", "goal", POINT, lambda w, x: db.inverse.LocalJacobian().command(x, *w.past())),
+    ("UniformGoals", "box", SPACE, lambda _, x: g.UniformGoals(x)),
+    ("GridGoals", "cells", CELLS, lambda _, x: g.GridGoals(x)),
+    ("GridGoals", "box", SPACE, lambda _, x: g.GridGoals(3, box=x)),
+    ("GridGoals", "cells", {"of 3": [2, 2, 2]}, lambda w, x: g.GridGoals(x, box=w.box)),
+    ("UncoveredGoals", "tau", POSITIVE, lambda _, x: g.UncoveredGoals(x)),
+    ("UncoveredGoals", "tries", SIZE, lambda _, x: g.UncoveredGoals(1.0, tries=x)),
+    ("UncoveredGoals", "box", SPACE, lambda _, x: g.UncoveredGoals(1.0, box=x)),
+    ("FrontierGoals", "tau", POSITIVE, lambda _, x: g.FrontierGoals(x)),
+    ("FrontierGoals", "reach", FROM_ONE, lambda _, x: g.FrontierGoals(1.0, reach=x)),
+    ("FrontierGoals", "tries", SIZE, lambda _, x: g.FrontierGoals(1.0, tries=x)),
+    ("FrontierGoals", "box", SPACE, lambda _, x: g.FrontierGoals(1.0, box=x)),
+    ("NovelGoals", "candidates", SIZE, lambda _, x: g.NovelGoals(x)),
+    ("NovelGoals", "box", SPACE, lambda _, x: g.NovelGoals(box=x)),
+    ("sampler.sample", "rng", GENERATOR, lambda w, x: g.NovelGoals().sample(w.history, x)),
+    ("NearestNeighbor", "d", SHARE, lambda _, x: i.Nearest(x)),
+    ("NearestNeighbor", "goal", POINT, lambda w, x: i.Nearest().command(x, *w.past())),
+    ("KNearest", "k", SIZE, lambda _, x: i.KNearest(x)),
+    ("KNearest", "d", SHARE, lambda _, x: i.KNearest(1, x)),
+    ("KNearest", "goal", POINT, lambda w, x: i.KNearest().command(x, *w.past())),
+    ("KNearest", "rng", GENERATOR, lambda w, x: i.KNearest().command([0, 0], w.history, x)),
+    ("UntriedGoals", "tau", POSITIVE, lambda _, x: g.UntriedGoals(x)),
+    ("UntriedGoals", "candidates", FROM_1 | HUGE, lambda _, x: g.UntriedGoals(1.0, candidates=x)),
+    ("UntriedGoals", "tries", SIZE, lambda _, x: g.UntriedGoals(1.0, tries=x)),
+    ("UntriedGoals", "reach", FROM_ONE, lambda _, x: g.UntriedGoals(1.0, reach=x)),
+    ("UntriedGoals", "box", SPACE, lambda _, x: g.UntriedGoals(1.0, box=x)),
+    ("LocalJacobian", "k", SIZE, lambda _, x: i.LocalJacobian(x)),
+    ("LocalJacobian", "used", SIZE, lambda _, x: i.LocalJacobian(9, x)),
+    ("LocalJacobian", "ridge", POSITIVE, lambda _, x: i.LocalJacobian(ridge=x)),
+    ("LocalJacobian", "reach", SHARE, lambda _, x: i.LocalJacobian(reach=x)),
+    ("LocalJacobian", "noise", SHARE, lambda _, x: i.LocalJacobian(noise=x)),
+    ("LocalJacobian", "goal", POINT, lambda w, x: i.LocalJacobian().command(x, *w.past())),
     ("default_strategy", "tau", POSITIVE, lambda _, x: db.default_strategy(x)),
     ("default_strategy", "box", SPACE, lambda _, x: db.default_strategy(1.0, goals=x)),
-    ("default_strategies", "tau", POSITIVE, lambda _, x: db.bandits.default_strategies(x)),
-    ("LocalRegression", "k", FROM_1 | HUGE | NONE, lambda _, x: db.inverse.LocalRegression(x)),
-    ("LocalRegression", "d", SHARE, lambda _, x: db.inverse.LocalRegression(1, x)),
-    ("LocalRegression", "ridge", POSITIVE, lambda _, x: db.inverse.LocalRegression(ridge=x)),
-    ("LocalRegression", "reach", POSITIVE, lambda _, x: db.inverse.LocalRegression(reach=x)),
-    (
-        "LocalRegression",
-        "goal",
-        POINT,
-        lambda w, x: db.inverse.LocalRegression().command(x, *w.past()),
-    ),
+    ("default_strategies", "tau", POSITIVE, lambda _, x: b.default_strategies(x)),
+    ("LocalRegression", "k", SIZE, lambda _, x: i.LocalRegression(x)),
+    ("LocalRegression", "d", SHARE, lambda _, x: i.LocalRegression(1, x)),
+    ("LocalRegression", "ridge", POSITIVE, lambda _, x: i.LocalRegression(ridge=x)),
+    ("LocalRegression", "reach", POSITIVE, lambda _, x: i.LocalRegression(reach=x)),
+    ("LocalRegression", "goal", POINT, lambda w, x: i.LocalRegression().command(x, *w.past())),
     ("Box.sample_many", "n", COUNT | HUGE | NONE, lambda w, x: w.box.sample_many(x, w.rng)),
     ("Box.sample_many", "rng", GENERATOR, lambda w, x: w.box.sample_many(3, x)),
     ("Mixture", "strategies", NOT_STRATEGIES, lambda _, x: db.Mixture(x)),
@@ -351,12 +296,7 @@ TABLE = [
     ("Adapt", "tau", POSITIVE, lambda _, x: db.Adapt([RMB], tau=x)),
     ("Adapt", "window", ALL_FROM_1, lambda _, x: db.Adapt([RMB], window=x)),
     ("Adapt", "alpha", SHARE, lambda _, x: db.Adapt([RMB], alpha=x)),
-    (
-        "Adapt",
-        "head_start",
-        COUNT | HUGE | NONE | {"51": 51},
-        lambda _, x: db.Adapt([RMB], head_start=x),
-    ),
+    ("Adapt", "head_start", COUNT | {"51": 51}, lambda _, x: db.Adapt([RMB], head_start=x)),
     ("Adapt", "reward", NOT_REWARDS, lambda _, x: db.Adapt([RMB], reward=x)),
     ("Adapt", "tau", {"both": 0.1}, lambda _, x: db.Adapt([RMB], tau=x, reward=abs)),
     ("Adapt", "power", NOT_BELOW, lambda _, x: db.Adapt([RMB], power=x)),
@@ -366,35 +306,30 @@ TABLE = [
     ("Bandit", "reward", NOT_REWARDS, lambda _, x: bandit(tau=None, reward=x)),
     ("Bandit", "estimator", NOT_BANDIT_PARTS, lambda _, x: bandit(estimator=x)),
     ("Bandit", "policy", NOT_BANDIT_PARTS, lambda _, x: bandit(policy=x)),
-    ("BallCoverage", "tau", POSITIVE, lambda _, x: db.measures.BallCoverage(x)),
-    ("BallCoverage", "accuracy", UPTO_1, lambda _, x: db.measures.BallCoverage(1, accuracy=x)),
-    ("BallCoverage", "dim", FROM_1, lambda _, x: db.measures.BallCoverage(1.0).start(x)),
-    ("Gain", "measure", some(NOT_MEASURES, *UNSTARTED), lambda _, x: db.bandits.Gain(x)),
-    ("FunctionReward", "function", NOT_CALLABLE, lambda _, x: db.bandits.FunctionReward(x)),
-    ("FunctionReward", "bound", NOT_BELOW, lambda _, x: db.bandits.FunctionReward(abs, bound=x)),
-    ("Window", "size", FROM_1 | HUGE | NONE, lambda _, x: db.bandits.Window(x)),
-    ("Window", "head_start", COUNT | {"51": 51}, lambda _, x: db.bandits.Window(head_start=x)),
-    ("RecentWindow", "size", FROM_1 | HUGE | NONE, lambda _, x: db.bandits.RecentWindow(x)),
-    ("Discounted", "gamma", UPTO_1, lambda _, x: db.bandits.Discounted(x)),
-    (
-        "Discounted",
-        "head_start",
-        COUNT | HUGE,
-        lambda _, x: db.bandits.Discounted(0.5, head_start=x),
-    ),
-    ("Proportional", "alpha", SHARE, lambda _, x: db.bandits.Proportional(x)),
-    ("Proportional", "power", NOT_BELOW, lambda _, x: db.bandits.Proportional(power=x)),
-    ("EpsilonGreedy", "epsilon", SHARE, lambda _, x: db.bandits.EpsilonGreedy(x)),
-    ("Softmax", "temperature", POSITIVE, lambda _, x: db.bandits.Softmax(x)),
-    ("Softmax", "scaled", FLAGS, lambda _, x: db.bandits.Softmax(scaled=x)),
-    ("UCB", "xi", NOT_BELOW, lambda _, x: db.bandits.UCB(x)),
-    ("Exp3", "gamma", UPTO_1, lambda _, x: db.bandits.Exp3(x)),
-    ("Exp3S", "gamma", UPTO_1, lambda _, x: db.bandits.Exp3S(x)),
-    ("Exp3S", "alpha", UPTO_1, lambda _, x: db.bandits.Exp3S(alpha=x)),
-    ("ucb1", "reward", NOT_REWARDS, lambda _, x: db.bandits.ucb1([RMB], reward=x)),
-    ("sw-ucb", "size", FROM_1, lambda _, x: db.bandits.sliding_window_ucb([RMB], window=x, tau=1)),
-    ("d-ucb", "gamma", UPTO_1, lambda _, x: db.bandits.discounted_ucb([RMB], gamma=x, tau=1)),
-    ("d-ucb", "xi", NOT_BELOW, lambda _, x: db.bandits.discounted_ucb([RMB], gamma=1, xi=x, tau=1)),
+    ("BallCoverage", "tau", POSITIVE, lambda _, x: m.BallCoverage(x)),
+    ("BallCoverage", "accuracy", UPTO_1, lambda _, x: m.BallCoverage(1, accuracy=x)),
+    ("BallCoverage", "dim", FROM_1, lambda _, x: m.BallCoverage(1.0).start(x)),
+    ("Gain", "measure", some(NOT_MEASURES, *UNSTARTED), lambda _, x: b.Gain(x)),
+    ("FunctionReward", "function", NOT_CALLABLE, lambda _, x: b.FunctionReward(x)),
+    ("FunctionReward", "bound", NOT_BELOW, lambda _, x: b.FunctionReward(abs, bound=x)),
+    ("Window", "size", SIZE, lambda _, x: b.Window(x)),
+    ("Window", "head_start", COUNT | {"51": 51}, lambda _, x: b.Window(head_start=x)),
+    ("RecentWindow", "size", SIZE, lambda _, x: b.RecentWindow(x)),
+    ("Discounted", "gamma", UPTO_1, lambda _, x: b.Discounted(x)),
+    ("Discounted", "head_start", COUNT | HUGE, lambda _, x: b.Discounted(0.5, head_start=x)),
+    ("Proportional", "alpha", SHARE, lambda _, x: b.Proportional(x)),
+    ("Proportional", "power", NOT_BELOW, lambda _, x: b.Proportional(power=x)),
+    ("EpsilonGreedy", "epsilon", SHARE, lambda _, x: b.EpsilonGreedy(x)),
+    ("Softmax", "temperature", POSITIVE, lambda _, x: b.Softmax(x)),
+    ("Softmax", "scaled", FLAGS, lambda _, x: b.Softmax(scaled=x)),
+    ("UCB", "xi", NOT_BELOW, lambda _, x: b.UCB(x)),
+    ("Exp3", "gamma", UPTO_1, lambda _, x: b.Exp3(x)),
+    ("Exp3S", "gamma", UPTO_1, lambda _, x: b.Exp3S(x)),
+    ("Exp3S", "alpha", UPTO_1, lambda _, x: b.Exp3S(alpha=x)),
+    ("ucb1", "reward", NOT_REWARDS, lambda _, x: b.ucb1([RMB], reward=x)),
+    ("sw-ucb", "size", FROM_1, lambda _, x: b.sliding_window_ucb([RMB], window=x, tau=1)),
+    ("d-ucb", "gamma", UPTO_1, lambda _, x: b.discounted_ucb([RMB], gamma=x, tau=1)),
+    ("d-ucb", "xi", NOT_BELOW, lambda _, x: b.discounted_ucb([RMB], gamma=1, xi=x, tau=1)),
     ("Composite", "strategies", STRATEGIES, lambda _, x: InTurn(x)),
     ("explore", "environment", NOT_WORLDS, lambda w, x: db.explore(x, RMB, n=1, rng=w.rng)),
     ("explore", "strategy", NOT_ONE, lambda w, x: db.explore(w.arm, x, n=1, rng=w.rng)),
@@ -406,54 +341,26 @@ TABLE = [
     ("explore_many", "rng", SEED, lambda w, x: db.explore_many([w.task], rng=x)),
     ("explore_many", "jobs", FROM_1, lambda w, x: db.explore_many([w.task], jobs=x, rng=w.rng)),
     ("explore_many", "progress", NOT_CALLABLE, lambda w, x: db.explore_many([w.task], progress=x)),
-    (
-        "Task",
-        "environment",
-        NOT_A_WORLD,
-        lambda w, x: many([db.experiments.Task(x, RMB, 1, w.rng)]),
-    ),
-    ("Task", "strategy", NOT_ONE, lambda w, x: many([db.experiments.Task(w.arm, x, 1, w.rng)])),
-    ("Task", "n", FROM_1 | NONE, lambda w, x: many([db.experiments.Task(w.arm, RMB, x, w.rng)])),
-    ("Task", "rng", SEED, lambda w, x: many([db.experiments.Task(w.arm, RMB, 1, x)])),
+    ("Task", "environment", NOT_A_WORLD, lambda w, x: many([Task(x, RMB, 1, w.rng)])),
+    ("Task", "strategy", NOT_ONE, lambda w, x: many([Task(w.arm, x, 1, w.rng)])),
+    ("Task", "n", FROM_1 | NONE, lambda w, x: many([Task(w.arm, RMB, x, w.rng)])),
+    ("Task", "rng", SEED, lambda w, x: many([Task(w.arm, RMB, 1, x)])),
     ("Task.over", "seeds", {"None": None, "a number": 25}, lambda w, x: w.task.over(x)),
     ("Task.over", "rng", SEED, lambda w, x: many(w.task.over([x]))),
     ("Every", "k", without(ALL_FROM_1, "huge"), lambda _, x: db.callbacks.Every(x, print)),
-    ("Every", "callback", NOT_CALLBACKS, lambda _, x: db.callbacks.Every(1, x)),
-    ("TimeBudget", "limit", NUMBERS | POSITIVE, lambda _, x: db.callbacks.TimeBudget(x)),
-    ("Plateau", "trials", without(ALL_FROM_1, "huge"), lambda _, x: db.callbacks.Plateau(x, 0.1)),
-    ("Plateau", "share", SHARE, lambda _, x: db.callbacks.Plateau(9, x)),
-    ("Plateau", "tau", POSITIVE, lambda _, x: db.callbacks.Plateau(9, 0.1, tau=x)),
-    (
-        "Plateau",
-        "measure",
-        some(NOT_MEASURES, *UNSTARTED),
-        lambda _, x: db.callbacks.Plateau(9, 0.1, measure=x),
-    ),
-    ("Progress", "tau", POSITIVE, lambda _, x: db.callbacks.Progress(tau=x)),
-    (
-        "Progress",
-        "measure",
-        some(NOT_MEASURES, *UNSTARTED),
-        lambda _, x: db.callbacks.Progress(measure=x),
-    ),
-    ("summarize", "tau", POSITIVE, lambda _, x: db.experiments.summarize(x)),
+    ("summarize", "tau", POSITIVE, lambda _, x: experiments.summarize(x)),
     (
         "summarize",
         "at",
         NOT_COUNTS | {"a number": 3},
-        lambda _, x: db.experiments.summarize(0.1, at=x),
+        lambda _, x: experiments.summarize(0.1, at=x),
     ),
-    (
-        "summarize()",
-        "at",
-        {"beyond": [1, 4]},
-        lambda w, x: db.experiments.summarize(0.1, at=x)(w.run),
-    ),
+    ("summarize()", "at", {"beyond": [1, 4]}, lambda w, x: experiments.summarize(0.1, at=x)(w.run)),
     (
         "summarize()",
         "run",
         {"None": None, "effects": [[0, 0]]},
-        lambda _, x: db.experiments.summarize(0.1)(x),
+        lambda _, x: experiments.summarize(0.1)(x),
     ),
     ("Explorer", "strategy", NOT_ONE, lambda w, x: db.Explorer(x, w.box)),
     ("Explorer", "motor_space", NOT_SPACES, lambda _, x: db.Explorer(RMB, x)),
@@ -467,6 +374,7 @@ TABLE = [
         lambda w, x: w.explorer.add_past(x, [[0, 0]]),
     ),
     ("add_past", "effects", ROW, lambda w, x: w.explorer.add_past([[0, 0]], x)),
+    ("Explorer.ask", "n", FROM_1, lambda w, x: w.explorer.ask(x)),
     ("Explorer.fail", "trial", NOT_TRIALS, lambda w, x: w.explorer.fail(x, "it fell over")),
     ("Explorer.fail", "reason", NONE, lambda w, x: w.explorer.fail(w.trial, x)),
     ("Explorer.tell", "trial", NOT_TRIALS, lambda w, x: w.explorer.tell(x, [0.0, 0.0])),
@@ -477,7 +385,7 @@ TABLE = [
     ("History.append", "command", POINT | BEYOND, lambda w, x: w.history.append(x, [0.0, 0.0])),
     ("History.append", "effect", POINTS, lambda w, x: w.history.append([0.0, 0.0], x)),
     (
-        "History().append",
+        "append",
         "effect",
         some(POINTS, "text", "nan", "a scalar"),
         lambda w, x: db.History(w.box).append([0.0, 0.0], x),
@@ -492,56 +400,41 @@ TABLE = [
     ("Coverage", "rng", SEED, lambda _, x: db.Coverage(1.0, rng=x)),
     ("Coverage of 5", "rng", SEED, lambda _, x: db.Coverage(1.0, dim=5, rng=x)),
     ("Coverage.add", "effect", BATCH, lambda w, x: w.coverage.add(x)),
-    (
-        "Coverage.gain",
-        "effect",
-        POINT | some(ROWS, "a bad second row"),
-        lambda w, x: w.coverage.gain(x),
-    ),
+    ("Coverage.gain", "effect", POINT_OR_ROWS, lambda w, x: w.coverage.gain(x)),
     ("Coverage.gain", "with_error", FLAGS, lambda w, x: w.coverage.gain([0, 0], with_error=x)),
     (
-        "Coverage.contribution",
+        "contribution",
         "index",
         some(COUNTS, "a float", "text") | NONE,
         lambda w, x: w.coverage.contribution(x),
     ),
-    (
-        "Coverage.contribution",
-        "with_error",
-        FLAG,
-        lambda w, x: w.coverage.contribution(0, with_error=x),
-    ),
-    (
-        "Coverage.contains",
-        "points",
-        POINT | some(ROWS, "a bad second row"),
-        lambda w, x: w.coverage.contains(x),
-    ),
+    ("contribution", "with_error", FLAG, lambda w, x: w.coverage.contribution(0, with_error=x)),
+    ("Coverage.contains", "points", POINT_OR_ROWS, lambda w, x: w.coverage.contains(x)),
     ("Coverage.extend", "effects", ROWS, lambda w, x: w.coverage.extend(x)),
-    ("GridCoverage", "cell", PLACES | EDGES, lambda _, x: Grid(x)),
-    ("GridCoverage", "dim", FROM_1 | HUGE | NONE, lambda _, x: Grid(1.0).start(x)),
-    ("GridCoverage", "origin", PLACES, lambda _, x: Grid(1.0, origin=x)),
+    ("GridCoverage", "cell", PLACES | EDGES, lambda _, x: m.GridCoverage(x)),
+    ("GridCoverage", "dim", SIZE, lambda _, x: m.GridCoverage(1.0).start(x)),
+    ("GridCoverage", "origin", PLACES, lambda _, x: m.GridCoverage(1.0, origin=x)),
     ("GridCoverage.add", "effect", POINT, lambda w, x: w.grid.add(x)),
     ("GridCoverage.gain", "effect", POINT, lambda w, x: w.grid.gain(x)),
     ("GridCoverage.extend", "effects", ROW, lambda w, x: w.grid.extend(x)),
-    ("GridCoverage.add", "effect", FAR, lambda _, x: Grid(1e-10).start(2).add(x)),
-    ("Sparseness", "k", FROM_1 | NONE, lambda _, x: Sparseness(x)),
-    ("Sparseness", "dim", FROM_1 | HUGE | NONE, lambda _, x: Sparseness().start(x)),
+    ("GridCoverage.add", "effect", FAR, lambda _, x: m.GridCoverage(1e-10).start(2).add(x)),
+    ("Sparseness", "k", FROM_1 | NONE, lambda _, x: m.Sparseness(x)),
+    ("Sparseness", "dim", SIZE, lambda _, x: m.Sparseness().start(x)),
     ("Sparseness.add", "effect", POINT | FAR, lambda w, x: w.sparseness.add(x)),
     ("Sparseness.gain", "effect", POINT | FAR, lambda w, x: w.sparseness.gain(x)),
     ("Sparseness.extend", "effects", ROW | FAR_ROWS, lambda w, x: w.sparseness.extend(x)),
-    ("Entropy", "cell", EDGES, lambda _, x: Entropy(x)),
-    ("Entropy", "dim", FROM_1 | HUGE | NONE, lambda _, x: Entropy(1.0).start(x)),
-    ("Entropy", "origin", some(PLACES, "text", "nan", "rows"), lambda _, x: Entropy(1.0, origin=x)),
+    ("Entropy", "cell", EDGES, lambda _, x: m.Entropy(x)),
+    ("Entropy", "dim", SIZE, lambda _, x: m.Entropy(1.0).start(x)),
+    (
+        "Entropy",
+        "origin",
+        some(PLACES, "text", "nan", "rows"),
+        lambda _, x: m.Entropy(1.0, origin=x),
+    ),
     ("Entropy.add", "effect", POINT, lambda w, x: w.entropy.add(x)),
     ("Entropy.gain", "effect", POINT, lambda w, x: w.entropy.gain(x)),
     ("Entropy.extend", "effects", ROW, lambda w, x: w.entropy.extend(x)),
-    (
-        "coverage",
-        "effects",
-        some(ROWS, "text", "a bad second row"),
-        lambda _, x: db.coverage(x, 1.0),
-    ),
+    ("coverage", "effects", without(ROW, "too long"), lambda _, x: db.coverage(x, 1.0)),
     ("coverage", "accuracy", STRICT_SHARE, lambda _, x: db.coverage([[0] * 5], 1.0, accuracy=x)),
     ("coverage", "rng", SEED, lambda _, x: db.coverage([[0.0, 0.0]], 1.0, rng=x)),
     ("coverage", "tau", POSITIVE, lambda _, x: db.coverage([[0.0, 0.0]], x)),

@@ -20,29 +20,6 @@ def some(values, *names):
     return {name: values[name] for name in names}
 
 
-class Odd:
-    """A measure that starts, and says something wrong of itself."""
-
-    dim, largest_gain, measure = 2, 1.0, 0.0
-
-    def __init__(self, **wrong):
-        self.size = wrong.pop("size", 0)
-        for name, value in wrong.items():
-            setattr(self, name, value)
-
-    def start(self, dim):
-        del dim
-        return self
-
-    def __len__(self):
-        return self.size
-
-    def add(self, *_):
-        raise AssertionError
-
-    extend = gain = add
-
-
 def points(n):
     """Return what is no finite point of R^n inside [-1, 1]^n, nor an array of such."""
     return {
@@ -122,14 +99,7 @@ COUNTS = {
     "object": object(),
 }
 
-FLAGS = {
-    "1": 1,
-    "0.0": 0.0,
-    "None": None,
-    "text": "yes",
-    "a list": [True],
-    "object": object(),
-}
+FLAGS = {"1": 1, "0.0": 0.0, "None": None, "text": "yes", "a list": [True], "object": object()}
 
 WRONG_SPACES = {
     "a number": 5,
@@ -166,13 +136,6 @@ NOT_MEASURES = {
     "an object": object(),
     "one under way": db.Coverage(0.02),
     "one that starts nothing": SimpleNamespace(start=lambda _: None),
-    "one with an effect in it": Odd(size=1),
-    "of no dimension": Odd(dim=0),
-    "of half a dimension": Odd(dim=2.5),
-    "a gain below zero": Odd(largest_gain=-1.0),
-    "an endless gain": Odd(largest_gain=math.inf),
-    "no gain": Odd(largest_gain=math.nan),
-    "text for a gain": Odd(largest_gain="1"),
 }
 
 NOT_PHASES = {
@@ -208,6 +171,7 @@ NOT_SEEDS = {
     "object": object(),
     "floats": [0.5],
     "the module": np.random,
+    "an old generator": np.random.RandomState(0),
 }
 
 NOT_GENERATORS = NOT_SEEDS | {
@@ -215,5 +179,4 @@ NOT_GENERATORS = NOT_SEEDS | {
     "a seed": 0,
     "a sequence of seeds": np.random.SeedSequence(0),
     "a bit generator": np.random.PCG64(0),
-    "an old generator": np.random.RandomState(0),
 }

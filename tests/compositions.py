@@ -94,8 +94,7 @@ def composed():
         "adapt, by sparseness": db.Adapt([RMB, RGB], reward=b.Gain(Sparseness()), alpha=0.3),
         "adapt, by entropy": db.Adapt([RMB, RGB], window=7, reward=b.Gain(Entropy([0.1, 0.2]))),
         "adapt by the grid, of an adapt": db.Adapt(
-            [db.Adapt([RMB, db.GoalBabbling(0.5)], tau=0.1), RGB],
-            reward=b.Gain(GridCoverage(0.1)),
+            [db.Adapt([RMB, db.GoalBabbling(0.5)], tau=0.1), RGB], reward=b.Gain(GridCoverage(0.1))
         ),
         "adapt, to a power": db.Adapt([RMB, RGB], tau=0.1, window=7, power=1.5),
         "mixture of adapts": db.Mixture([db.Adapt([RMB, RGB]), RMB]),

@@ -5,13 +5,11 @@ import math
 import numpy as np
 from numpy import random
 
-BIT_GENERATORS = (
-    random.PCG64,
-    random.PCG64DXSM,
-    random.MT19937,
-    random.Philox,
-    random.SFC64,
-)
+BIT_GENERATORS = (random.PCG64, random.PCG64DXSM, random.MT19937, random.Philox, random.SFC64)
+
+
+#: Draws that can be given: two 32-bit words each, of the 624 that a Mersenne twister holds.
+MOST = 312
 
 
 def twins(bit_generator, seed=0):
@@ -31,7 +29,7 @@ def _plain(value):
 
 
 def scripted(*numbers):
-    """Return a generator whose next draws, at most 312, are given; each rounded up to 53 bits.
+    """Return a generator whose next draws, at most `MOST`, are given; each rounded up to 53 bits.
 
     MT19937 hands out its state word by word, scrambled in a way that can be undone.
     """

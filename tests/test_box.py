@@ -3,8 +3,6 @@
 Uniformity is tested by a Kolmogorov-Smirnov test at level 1e-4, with a fixed seed.
 """
 
-import copy
-import pickle
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,10 +12,6 @@ from scipy import stats
 import divbandit as db
 
 BOX = db.Box([-1, 0, 5], [1, 10, 5])
-
-
-def repickled(value):
-    return pickle.loads(pickle.dumps(value))  # noqa: S301 - just written
 
 
 def test_corners_are_read_only_copies():
@@ -69,16 +63,6 @@ def test_equality_and_hash():
     assert db.Box([-1, 0, 5], [1, 10, 6]) != BOX
     assert db.Box([-1], [1]) != BOX
     assert BOX != "a box"
-
-
-@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, repickled])
-def test_copies_pickles_and_repr(again):
-    other = again(BOX)
-    assert other == BOX
-    assert repr(other) == "Box([-1.0, 0.0, 5.0], [1.0, 10.0, 5.0])"
-    assert other.sample(np.random.default_rng(0)).tolist() == (
-        BOX.sample(np.random.default_rng(0)).tolist()
-    )
 
 
 def test_anything_with_corners_is_a_box():

@@ -29,16 +29,6 @@ def test_returns_what_was_appended(n):
     assert (history.commands.shape, history.effects.shape) == ((n, 3), (n, 2))
 
 
-@pytest.mark.parametrize("s", [1, 2, 3, 10])
-def test_learns_the_dimension_of_the_effects_from_the_first(s):
-    history = db.History(SPACE)
-    assert history.effect_dim is None
-    history.append([0, 0, 0], [0.5] * s)
-    history.append([0, 0, 0], [0.25] * s)
-    assert history.effect_dim == s
-    assert history.effects.tolist() == [[0.5] * s, [0.25] * s]
-
-
 def test_views_are_read_only_and_keep_what_they_showed():
     history, _, effects = filled(64)
     before = history.effects
@@ -77,31 +67,3 @@ def test_nearest_is_brute_force_at_any_moment(name):
 def test_nothing_is_near_in_an_empty_history():
     with pytest.raises(ValueError, match="history must not be empty"):
         db.History(SPACE, PLANE).nearest([0, 0])
-
-
-BAD = {
-    "no command": ("ab", [0, 0], ()),
-    "a short command": ([0, 0], [0, 0], ()),
-    "outside": ([0, 0, 2], [0, 0], ()),
-    "no effect": ([0, 0, 0], None, ()),
-    "a long effect": ([0, 0, 0], [0, 0, 0], ()),
-    "not finite": ([0, 0, 0], [0, np.nan], ()),
-    "a list as path": ([0, 0, 0], [0, 0], [1]),
-    "a negative index": ([0, 0, 0], [0, 0], (0, -1)),
-    "half an index": ([0, 0, 0], [0, 0], (0.5,)),
-    "too large an index": ([0, 0, 0], [0, 0], (2**32,)),
-}
-
-
-@pytest.mark.parametrize(("command", "effect", "path"), BAD.values(), ids=BAD)
-def test_what_is_refused_leaves_no_trace(command, effect, path):
-    history, commands, effects = filled(10)
-    with pytest.raises((TypeError, ValueError), match=r"^(command|effect|path)"):
-        history.append(command, effect, path=path)
-    assert history.commands.tolist() == commands.tolist()
-    assert history.effects.tolist() == effects.tolist()
-    assert len(history.paths) == 10
-
-
-def test_its_repr_says_its_size():
-    assert "10 evaluations" in repr(filled(10)[0])

@@ -12,6 +12,7 @@ import divbandit as db
 ORDER = (
     "_core",
     "_library",
+    "_workers",
     "_files",
     "_checks",
     "_duration",

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.spatial import cKDTree
 
 import divbandit as db
 from tests.reference.families import FAMILIES, family
@@ -56,18 +55,6 @@ def test_equals_brute_force_while_it_grows(name, dim):
         assert_same(tree, points[:n], rng.uniform(-1, 1, dim), min(n, 5))
 
 
-@pytest.mark.parametrize("dim", [1, 2, 3, 8, 16])
-@pytest.mark.parametrize("name", FAMILIES)
-def test_distances_equal_scipy(name, dim):
-    points = family(name, 1000, dim, seed=5)
-    tree = db.NearestNeighbors(dim)
-    tree.extend(points)
-    for query in queries(points, np.random.default_rng(1)):
-        distances, _ = tree.nearest(query, k=10)
-        expected, _ = cKDTree(points).query(query, k=10)
-        np.testing.assert_allclose(distances, expected, rtol=1e-13, atol=1e-300)
-
-
 lattice = st.tuples(st.integers(0, 3), st.integers(0, 3))
 
 
@@ -86,18 +73,6 @@ def test_a_thousand_times_the_same_point():
     tree.extend(np.ones((1000, 3)))
     assert tree.nearest([1, 1, 1]) == (0.0, 0)
     assert tree.nearest([0, 1, 1], k=1000)[1].tolist() == list(range(1000))
-
-
-def test_extend_is_repeated_add():
-    points = family("clustered", 200, 3)
-    one, many = db.NearestNeighbors(3), db.NearestNeighbors(3)
-    many.extend(points[:70])
-    many.extend(points[70:70])
-    many.extend(points[70:])
-    for point in points:
-        one.add(point)
-    for query in family("uniform", 50, 3):
-        assert one.nearest(query) == many.nearest(query)
 
 
 @pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy])

@@ -47,24 +47,3 @@ def test_coordinates_are_independent():
 @pytest.mark.parametrize("parent", PARENTS.values(), ids=PARENTS)
 def test_none_with_d_zero(parent):
     assert np.all(drawn(parent, 0.0, n=10) == parent)
-
-
-def test_the_whole_box_with_d_one():
-    commands = drawn(PARENTS["on the faces"], 1.0)
-    for j in range(BOX.dim):
-        whole = stats.uniform(BOX.low[j], BOX.high[j] - BOX.low[j])
-        assert stats.kstest(commands[:, j], whole.cdf).pvalue > LEVEL
-
-
-def test_the_inverse_model_perturbs_the_nearest_effects_command():
-    history = db.History(BOX)
-    history.append([-1.0, 0.0, 10.0], [0.0, 0.0])
-    history.append([1.0, 10.0, 10.5], [1.0, 1.0])
-    rng = np.random.default_rng(0)
-    model = db.inverse.Nearest(0.1).start(history)
-    commands = np.array([model.command([0.9, 0.7], history, rng) for _ in range(2000)])
-    assert commands.min(axis=0) == pytest.approx([0.8, 9.0, 10.45], abs=0.01)
-    for j in range(BOX.dim):
-        width = 0.1 * (BOX.high[j] - BOX.low[j])
-        upper_end = stats.uniform(BOX.high[j] - width, width)
-        assert stats.kstest(commands[:, j], upper_end.cdf).pvalue > LEVEL

@@ -11,17 +11,10 @@ import divbandit as db
 from divbandit import _core
 
 #: The packages one dot away; `strategies` holds what is at the top, and the starter.
-KINDS = (
-    *(name for name in db.__all__ if inspect.ismodule(getattr(db, name))),
-    "strategies",
-)
+KINDS = (*(name for name in db.__all__ if inspect.ismodule(getattr(db, name))), "strategies")
 
 #: What only the library itself calls.
-WITHIN = (
-    "Explorer.for_run",
-    "strategies.Starter.copy_of",
-    "strategies.Starter.value_or_copy",
-)
+WITHIN = ("strategies.Starter.copy_of", "strategies.Starter.value_or_copy")
 
 
 def public():

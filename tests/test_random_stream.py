@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit._core import Bounds
+from divbandit.inverse import Nearest
 from tests.generators import BIT_GENERATORS, state, twins
 
 LOW, HIGH = np.array([-1.0, 0.0, 5.0]), np.array([1.0, 0.25, 5.0])
@@ -47,7 +47,7 @@ def observed_history():
 @pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
 def test_draws_are_the_generators_own_and_leave_its_state(bit_generator):
     rng, plain = twins(bit_generator)
-    box, history, model = db.Box(LOW, HIGH), observed_history(), db.inverse.Nearest(0.1)
+    box, history, model = db.Box(LOW, HIGH), observed_history(), Nearest(0.1)
     for _ in range(300):
         assert box.sample(rng).tolist() == uniform(LOW, HIGH, plain).tolist()
         assert rng.random() == plain.random()
@@ -68,7 +68,7 @@ def test_the_lock_is_free_afterwards(bit_generator):
     lock, history = rng.bit_generator.lock, observed_history()
     db.Box(LOW, HIGH).sample(rng)
     assert is_free(lock)
-    db.inverse.Nearest(0.1).command([0.6], history, rng)
+    Nearest(0.1).command([0.6], history, rng)
     assert is_free(lock)
 
 
@@ -76,8 +76,8 @@ def test_the_lock_is_free_afterwards(bit_generator):
 @pytest.mark.parametrize(
     "fail",
     [
-        lambda history, rng: db.inverse.Nearest().command([0.5, 0.5], history, rng),
-        lambda history, rng: db.inverse.Nearest().command([np.nan], history, rng),
+        lambda history, rng: Nearest().command([0.5, 0.5], history, rng),
+        lambda history, rng: Nearest().command([np.nan], history, rng),
         lambda history, rng: history.motor_space.bounds.perturb([9, 9, 9], 0.1, rng),
         lambda history, rng: history.motor_space.bounds.perturb([0, 0, 5], -1, rng),
     ],
@@ -89,27 +89,3 @@ def test_an_error_draws_nothing_and_frees_the_lock(fail, bit_generator):
         fail(observed_history(), rng)
     assert state(rng) == state(plain)
     assert is_free(rng.bit_generator.lock)
-
-
-def test_threads_share_one_generator_without_losing_a_draw():
-    rng, plain = twins(np.random.PCG64)
-    bounds, drawn = Bounds([0], [1]), []
-    threads = [
-        threading.Thread(target=lambda: drawn.extend(bounds.sample(rng)[0] for _ in range(500)))
-        for _ in range(4)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert sorted(drawn) == sorted(plain.random(2000))
-
-
-@pytest.mark.parametrize("bit_generator", BIT_GENERATORS)
-def test_whole_explorations_draw_from_the_generator_given(bit_generator):
-    rng, plain = twins(bit_generator)
-    run = db.explore(db.PlanarArm(3), db.MotorBabbling(), n=50, rng=rng)
-    space = run.motor_space
-    expected = [uniform(space.low, space.high, plain) for _ in range(50)]
-    assert run.commands.tolist() == np.array(expected).tolist()
-    assert state(rng) == state(plain)

@@ -13,67 +13,26 @@ import pickle
 import numpy as np
 import optuna
 import pytest
-from mabwiser.mab import LearningPolicy
+from mabwiser.mab import LearningPolicy as Of
 
 import divbandit as db
+from divbandit import bandits as b
+from divbandit import controllers as c
+from divbandit import environments as e
+from divbandit import goals as g
+from divbandit import inverse as i
+from divbandit import measures as m
 from divbandit._recipe import NoRecipeError, made_from, recipe_of
 from divbandit._value import Value, field_names
 from divbandit.adapters import MabwiserPolicy, OptunaSampler, QuasiRandomBabbling, RibsEmitter
-from divbandit.bandits import (
-    UCB,
-    CompetenceProgress,
-    Discounted,
-    EpsilonGreedy,
-    Exp3,
-    Exp3S,
-    FunctionReward,
-    Gain,
-    Proportional,
-    RecentWindow,
-    RoundRobin,
-    Softmax,
-    Thompson,
-    Uniform,
-    WholePast,
-    Window,
-)
 from divbandit.callbacks import Every, Plateau, Progress, TimeBudget
-from divbandit.controllers import (
-    FunctionController,
-    MovementPrimitives,
-    OpenLoop,
-    Tracking,
-    ViaPoints,
-)
-from divbandit.environments import (
-    Controlled,
-    Disc,
-    FunctionEnvironment,
-    GymnasiumEnvironment,
-    PlanarArm,
-    Polygon,
-    ProcessEnvironment,
-    PushArm,
-    Rectangle,
-    Wall,
-    mujoco,
-)
+from divbandit.environments import mujoco
 from divbandit.environments.obstacles import Obstacle
 from divbandit.experiments import Task
-from divbandit.goals import (
-    FrontierGoals,
-    GridGoals,
-    NovelGoals,
-    UncoveredGoals,
-    UniformGoals,
-    UntriedGoals,
-)
-from divbandit.inverse import KNearest, LocalJacobian, LocalRegression, Nearest
-from divbandit.measures import BallCoverage, Entropy, GridCoverage, Loop, Sparseness
 from tests.compositions import NAMES as STRATEGIES
 from tests.compositions import adapted, compositions
 
-SQUARE, ARM = db.Box([-1, -1], [1, 1]), PlanarArm(4)
+SQUARE, ARM = db.Box([-1, -1], [1, 1]), e.PlanarArm(4)
 #: No strategy is made of what is in these packages.
 NOT_IN_FILES = ("environments", "controllers", "experiments", "callbacks")
 
@@ -109,40 +68,40 @@ def parzen(seed):
 
 
 RMB, RGB = db.MotorBabbling(), db.GoalBabbling(0.25)
-DISC = Disc([0, 0.5], 0.1)
-HOLD = FunctionController(hold, db.Box([-2], [2]))
+DISC = e.Disc([0, 0.5], 0.1)
+HOLD = c.FunctionController(hold, db.Box([-2], [2]))
 
 #: Instances of every class: with defaults alone, and with other arguments.
 PARTS = [
     SQUARE,
     # Obstacles.
     DISC,
-    Rectangle([0.2, 0.1], [0.6, 0.3]),
-    Polygon([[0.5, 0.5], [0.9, 0.5], [0.6, 0.6]]),
-    Wall([0, 0.5], [0, 2]),
-    Wall((0, 0.5), np.array([0, 2]), thickness=0.125),
+    e.Rectangle([0.2, 0.1], [0.6, 0.3]),
+    e.Polygon([[0.5, 0.5], [0.9, 0.5], [0.6, 0.6]]),
+    e.Wall([0, 0.5], [0, 2]),
+    e.Wall((0, 0.5), np.array([0, 2]), thickness=0.125),
     # Environments.
-    PlanarArm(),
-    PlanarArm(3, limit=1, thickness=0.02, obstacles=[DISC], self_contact=True),
-    PushArm(),
-    PushArm(2, limit=2.5, obstacles=(DISC,), ball=np.array([0.4, 0.2]), ball_radius=0.04),
-    FunctionEnvironment(swap, SQUARE),
-    FunctionEnvironment(product, SQUARE, db.Box([-1], [1]), scalars=True),
-    ProcessEnvironment(["echo"], SQUARE),
-    ProcessEnvironment(["echo", "--"], SQUARE, db.Box([0], [1]), timeout=5, entry="y"),
-    GymnasiumEnvironment("Pendulum-v1", HOLD, final, 10, 0),
-    GymnasiumEnvironment("Pendulum-v1", HOLD, final, 10, 0, sensory_space=SQUARE),
-    Controlled(PlanarArm(2), ViaPoints([-1, -1], [1, 1], steps=3)),
+    e.PlanarArm(),
+    e.PlanarArm(3, limit=1, thickness=0.02, obstacles=[DISC], self_contact=True),
+    e.PushArm(),
+    e.PushArm(2, limit=2.5, obstacles=(DISC,), ball=np.array([0.4, 0.2]), ball_radius=0.04),
+    e.FunctionEnvironment(swap, SQUARE),
+    e.FunctionEnvironment(product, SQUARE, db.Box([-1], [1]), scalars=True),
+    e.ProcessEnvironment(["echo"], SQUARE),
+    e.ProcessEnvironment(["echo", "--"], SQUARE, db.Box([0], [1]), timeout=5, entry="y"),
+    e.GymnasiumEnvironment("Pendulum-v1", HOLD, final, 10, 0),
+    e.GymnasiumEnvironment("Pendulum-v1", HOLD, final, 10, 0, sensory_space=SQUARE),
+    e.Controlled(e.PlanarArm(2), c.ViaPoints([-1, -1], [1, 1], steps=3)),
     # Controllers.
     HOLD,
-    MovementPrimitives(2),
-    MovementPrimitives(2, basis=3, steps=7, weights=2, goals=None, start=[0.5, 0], limit=1),
-    ViaPoints([-1], [1], steps=4),
-    ViaPoints(np.array([-1.0]), [1], steps=4, points=2, start=[0.5]),
-    OpenLoop(MovementPrimitives(1, basis=2, steps=3)),
-    Tracking(ViaPoints([-1], [1], steps=4), halves, halves, dt=1, stiffness=2, damping=0),
-    Tracking(
-        ViaPoints([-1], [1], steps=4),
+    c.MovementPrimitives(2),
+    c.MovementPrimitives(2, basis=3, steps=7, weights=2, goals=None, start=[0.5, 0], limit=1),
+    c.ViaPoints([-1], [1], steps=4),
+    c.ViaPoints(np.array([-1.0]), [1], steps=4, points=2, start=[0.5]),
+    c.OpenLoop(c.MovementPrimitives(1, basis=2, steps=3)),
+    c.Tracking(c.ViaPoints([-1], [1], steps=4), halves, halves, dt=1, stiffness=2, damping=0),
+    c.Tracking(
+        c.ViaPoints([-1], [1], steps=4),
         positions=halves,
         velocities=halves,
         dt=0.5,
@@ -152,96 +111,98 @@ PARTS = [
         turns=True,
     ),
     # Experiments.
-    Task(PlanarArm(2), db.MotorBabbling(), 10),
-    Task(PlanarArm(2), RGB, n=10, rng=3, engine="python", keep_commands=False),
+    Task(e.PlanarArm(2), db.MotorBabbling(), 10),
+    Task(e.PlanarArm(2), RGB, n=10, rng=3, engine="python", keep_commands=False),
     # Callbacks.
     Every(10, product),
     Every("30s", TimeBudget(60)),
     Plateau(500, 0.01),
     Plateau(np.int64(500), share=0, tau=1),
-    Plateau(500, 1, measure=GridCoverage(0.5)),
+    Plateau(500, 1, measure=m.GridCoverage(0.5)),
     Progress(),
     Progress(tau=1),
-    Progress(measure=Sparseness(3)),
+    Progress(measure=m.Sparseness(3)),
     TimeBudget("2h"),
     TimeBudget(0.25),
     # Goal samplers.
-    UniformGoals(),
-    UniformGoals(SQUARE),
-    GridGoals(3),
-    GridGoals(np.array([4, 5]), box=SQUARE),
-    UncoveredGoals(0.1),
-    UncoveredGoals(1, tries=7, box=SQUARE),
-    FrontierGoals(0.1),
-    FrontierGoals(1, reach=3, tries=7, box=SQUARE),
-    NovelGoals(),
-    NovelGoals(3, box=SQUARE),
-    UntriedGoals(0.1),
-    UntriedGoals(1, candidates=3, tries=7, reach=3, box=SQUARE),
+    g.UniformGoals(),
+    g.UniformGoals(SQUARE),
+    g.GridGoals(3),
+    g.GridGoals(np.array([4, 5]), box=SQUARE),
+    g.UncoveredGoals(0.1),
+    g.UncoveredGoals(1, tries=7, box=SQUARE),
+    g.FrontierGoals(0.1),
+    g.FrontierGoals(1, reach=3, tries=7, box=SQUARE),
+    g.NovelGoals(),
+    g.NovelGoals(3, box=SQUARE),
+    g.UntriedGoals(0.1),
+    g.UntriedGoals(1, candidates=3, tries=7, reach=3, box=SQUARE),
     # Inverse models.
-    Nearest(),
-    Nearest(0.25),
-    KNearest(),
-    KNearest(3, 1),
-    LocalRegression(),
-    LocalRegression(3, 0.25, ridge=1, reach=2),
-    LocalJacobian(),
-    LocalJacobian(9, 5, ridge=1, reach=0.5, noise=0),
+    i.Nearest(),
+    i.Nearest(0.25),
+    i.KNearest(),
+    i.KNearest(3, 1),
+    i.LocalRegression(),
+    i.LocalRegression(3, 0.25, ridge=1, reach=2),
+    i.LocalJacobian(),
+    i.LocalJacobian(9, 5, ridge=1, reach=0.5, noise=0),
     # Measures.
-    BallCoverage(0.1),
-    BallCoverage(1, accuracy=0.5),
-    GridCoverage(0.5),
-    GridCoverage(np.array([0.5, 1]), origin=[1, 2]),
-    Sparseness(),
-    Sparseness(3),
-    Entropy(0.5),
-    Entropy([0.5, 1], origin=1),
+    m.BallCoverage(0.1),
+    m.BallCoverage(1, accuracy=0.5),
+    m.GridCoverage(0.5),
+    m.GridCoverage(np.array([0.5, 1]), origin=[1, 2]),
+    m.Sparseness(),
+    m.Sparseness(3),
+    m.Entropy(0.5),
+    m.Entropy([0.5, 1], origin=1),
     # Rewards.
-    Gain(BallCoverage(0.1)),
-    CompetenceProgress(),
-    FunctionReward(height),
-    FunctionReward(height, bound=1),
+    b.Gain(m.BallCoverage(0.1)),
+    b.CompetenceProgress(),
+    b.FunctionReward(height),
+    b.FunctionReward(height, bound=1),
     # Estimators.
-    Window(),
-    Window(5, head_start=0),
-    RecentWindow(5),
-    Discounted(0.9),
-    Discounted(1, head_start=2),
-    WholePast(),
+    b.Window(),
+    b.Window(5, head_start=0),
+    b.RecentWindow(5),
+    b.Discounted(0.9),
+    b.Discounted(1, head_start=2),
+    b.WholePast(),
     # Policies.
-    Proportional(),
-    Proportional(0.25, power=2),
-    EpsilonGreedy(0.25),
-    Softmax(),
-    Softmax(0.25, scaled=False),
-    UCB(),
-    UCB(0.5),
-    Thompson(),
-    Exp3(0.25),
-    Exp3S(0.25, 0.5),
-    RoundRobin(),
-    Uniform(),
-    MabwiserPolicy(LearningPolicy.UCB1(alpha=1.5)),
-    MabwiserPolicy(LearningPolicy.Popularity()),
+    b.Proportional(),
+    b.Proportional(0.25, power=2),
+    b.EpsilonGreedy(0.25),
+    b.Softmax(),
+    b.Softmax(0.25, scaled=False),
+    b.UCB(),
+    b.UCB(0.5),
+    b.Thompson(),
+    b.Exp3(0.25),
+    b.Exp3S(0.25, 0.5),
+    b.RoundRobin(),
+    b.Uniform(),
+    # Policies of MABWiser are tuples, which compare equal across kinds.
+    MabwiserPolicy(Of.UCB1(alpha=1.5)),
+    MabwiserPolicy(Of.Popularity()),
+    MabwiserPolicy(Of.Random()),
     # Strategies.
     RMB,
     db.GoalBabbling(),
     RGB,
     db.GoalBabbling(0.25, goals=SQUARE),
-    db.GoalBabbling(goals=NovelGoals(3), inverse=KNearest(3)),
+    db.GoalBabbling(goals=g.NovelGoals(3), inverse=i.KNearest(3)),
     db.Mixture([RMB, RGB]),
     db.Mixture((RMB, RGB), weights=np.array([1, 3])),
     db.Schedule([(3, RMB), (None, RGB)]),
     db.Adapt([RMB, RGB]),
     db.Adapt([RMB], tau=1, window=5, alpha=0.25, head_start=0, power=2),
     db.Adapt(iter([RMB]), reward=height),
-    db.Adapt([RMB], reward=Gain(GridCoverage(0.5))),
-    db.Bandit([RMB, RGB], estimator=Window(), policy=UCB(), tau=0.5),
-    db.Bandit([RMB], estimator=WholePast(), policy=Thompson(), reward=CompetenceProgress()),
+    db.Adapt([RMB], reward=b.Gain(m.GridCoverage(0.5))),
+    db.Bandit([RMB, RGB], estimator=b.Window(), policy=b.UCB(), tau=0.5),
+    db.Bandit([RMB], estimator=b.WholePast(), policy=b.Thompson(), reward=b.CompetenceProgress()),
     db.default_strategy(0.1, goals=SQUARE),
     QuasiRandomBabbling(),
     OptunaSampler(),
-    OptunaSampler(optuna.samplers.RandomSampler, reward=CompetenceProgress()),
+    OptunaSampler(optuna.samplers.RandomSampler, reward=b.CompetenceProgress()),
     OptunaSampler(parzen),
     RibsEmitter(),
     RibsEmitter("evolution", box=SQUARE, cells=50, objective=height),
@@ -268,7 +229,7 @@ NAMES = {
     **{name: item for package in PACKAGES for name, item in vars(package).items()},
     **{each.__name__: each for each in (swap, product, hold, halves, final, height, parzen)},
     **vars(optuna.samplers),
-    **{each.__name__: each for each in (LearningPolicy.UCB1, LearningPolicy.Popularity)},
+    **{each.__name__: each for each in (Of.UCB1, Of.Popularity, Of.Random)},
 }
 
 each_part = pytest.mark.parametrize("part", PARTS, ids=IDS)
@@ -311,6 +272,21 @@ def test_its_repr_evaluates_to_an_equal_part(part):
     assert_alike(eval(repr(part), dict(NAMES)), part)  # noqa: S307 - our own
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Box([-1.0, 0.0], [1.0, 2.0])",
+        "RibsEmitter()",
+        "LocalJacobian(reach=0.5)",
+        "Task(PlanarArm(2), MotorBabbling(), 10, engine='rust')",
+        "Adapt([MotorBabbling()], tau=0.02)",
+        "Adapt([MotorBabbling()], reward=Gain(GridCoverage([0.5, 1.0], origin=2.0)))",
+    ],
+)
+def test_its_repr_omits_defaults(words):
+    assert repr(eval(words, dict(NAMES))) == words  # noqa: S307 - our own
+
+
 @each_part
 @pytest.mark.parametrize("again", [repickled, copy.copy, copy.deepcopy, dataclasses.replace])
 def test_copies_are_equal(part, again):
@@ -329,16 +305,16 @@ def test_parts_differ(k):
 
 
 def test_equal_arguments_of_other_types_make_equal_parts():
-    assert Disc((0, 0.5), np.float64(0.1)) == DISC
-    assert PlanarArm(np.int64(20), limit=math.radians(150)) == PlanarArm()
-    assert PlanarArm(2, obstacles=iter([DISC])) == PlanarArm(2, obstacles=[DISC])
-    assert len({PlanarArm(2), PlanarArm(2), PlanarArm(2, limit=2), PushArm(2)}) == 3
+    assert e.Disc((0, 0.5), np.float64(0.1)) == DISC
+    assert e.PlanarArm(np.int64(20), limit=math.radians(150)) == e.PlanarArm()
+    assert e.PlanarArm(2, obstacles=iter([DISC])) == e.PlanarArm(2, obstacles=[DISC])
+    assert len({e.PlanarArm(2), e.PlanarArm(2), e.PlanarArm(2, limit=2), e.PushArm(2)}) == 3
 
 
 def test_replacing_an_argument_checks_it():
-    assert dataclasses.replace(PlanarArm(2), joints=3).motor_space.dim == 3
+    assert dataclasses.replace(e.PlanarArm(2), joints=3).motor_space.dim == 3
     with pytest.raises(ValueError, match="limit"):
-        dataclasses.replace(PlanarArm(2), limit=-1)
+        dataclasses.replace(e.PlanarArm(2), limit=-1)
 
 
 @pytest.mark.parametrize("make", [mujoco.reacher, mujoco.pusher])
@@ -359,7 +335,7 @@ def public_values():
 
 def test_every_public_class_has_an_instance_here():
     # An Obstacle is abstract; a Loop is a result, which has its own tests.
-    assert public_values() - {type(part) for part in PARTS} - {Obstacle, Loop} == set()
+    assert public_values() - {type(part) for part in PARTS} - {Obstacle, m.Loop} == set()
 
 
 def test_no_public_part_is_anything_else():

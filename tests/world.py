@@ -3,6 +3,8 @@
 import numpy as np
 
 import divbandit as db
+from divbandit.experiments import Task
+from divbandit.measures import Entropy, GridCoverage, Sparseness
 from tests.generators import state
 
 RMB = db.MotorBabbling()
@@ -25,11 +27,8 @@ class World:
         self.run = db.explore(self.arm, RMB, n=3, rng=self.rng)
         self.history = db.History(self.box, self.box)
         self.coverage, self.tree = db.Coverage(0.5), db.NearestNeighbors(2)
-        self.grid, self.sparseness = (
-            db.measures.GridCoverage(0.3).start(2),
-            db.measures.Sparseness(2).start(2),
-        )
-        self.entropy = db.measures.Entropy(0.3).start(2)
+        self.grid, self.sparseness = (GridCoverage(0.3).start(2), Sparseness(2).start(2))
+        self.entropy = Entropy(0.3).start(2)
         self.explorer = db.Explorer(RMB, self.box, self.box, rng=self.rng)
         for effect in ([0.0, 0.0], [0.5, 0.25], [1.0, 0.0]):
             self.history.append(effect, effect)
@@ -37,7 +36,7 @@ class World:
                 measure.add(effect)
             self.tree.add(effect)
             self.explorer.tell(self.explorer.ask(), effect)
-        self.task = db.experiments.Task(self.arm, RMB, 3)
+        self.task = Task(self.arm, RMB, 3)
         self.trial = self.explorer.ask()
         self.by_hand = db.Trial([0.0, 0.0])
 

@@ -122,24 +122,6 @@ def test_in_a_bandit(policy, dim):
     assert set(runs[0].choices) == {0, 1, 2}
 
 
-def test_many_under_way_and_failures():
-    arm = db.PlanarArm(4)
-    bandit = db.Bandit(
-        [db.MotorBabbling(), db.GoalBabbling()],
-        tau=0.05,
-        estimator=WholePast(),
-        policy=MabwiserPolicy(LearningPolicy.UCB1()),
-    )
-    explorer = db.Explorer(bandit, arm.motor_space, arm.sensory_space, rng=0)
-    for _ in range(20):
-        trials = explorer.ask(7)
-        explorer.fail(trials[3], "no power")
-        told = [*trials[:3], *trials[4:]]
-        explorer.tell(told, [arm(trial.command) for trial in told])
-    assert len(explorer.history) == 120
-    assert len(explorer.history.failures) == 20
-
-
 @pytest.mark.parametrize(
     ("policy", "error", "words"),
     [
@@ -153,12 +135,3 @@ def test_many_under_way_and_failures():
 def test_refuses(policy, error, words):
     with pytest.raises(error, match=words):
         MabwiserPolicy(policy)
-
-
-def test_is_a_value():
-    """Though policies of MABWiser are tuples, which compare equal across kinds."""
-    greedy, softmax = LearningPolicy.EpsilonGreedy(0.1), LearningPolicy.Softmax(0.1)
-    assert MabwiserPolicy(greedy) == MabwiserPolicy(LearningPolicy.EpsilonGreedy(0.1))
-    assert MabwiserPolicy(greedy) != MabwiserPolicy(softmax)
-    assert len({MabwiserPolicy(greedy), MabwiserPolicy(softmax), MabwiserPolicy(greedy)}) == 2
-    assert repr(MabwiserPolicy(LearningPolicy.UCB1(2.0))) == "MabwiserPolicy(UCB1(alpha=2.0))"

@@ -11,7 +11,7 @@ from optuna.trial import TrialState
 
 import divbandit as db
 from divbandit.adapters import OptunaSampler
-from divbandit.bandits import FunctionReward, Gain
+from divbandit.bandits import Gain
 from divbandit.strategies.base import Starter
 
 ARM = db.PlanarArm(3)
@@ -142,15 +142,6 @@ def test_one_draw_and_no_more():
     assert rng.random() == other.random()
 
 
-def test_each_exploration_has_its_study():
-    sampler = OptunaSampler()
-    explorers = [db.Explorer(sampler, ARM.motor_space, rng=3) for _ in range(2)]
-    assert explorers[0].strategy.study is None
-    commands = [explorer.ask().command.tolist() for explorer in explorers]
-    assert commands[0] == commands[1]
-    assert [len(explorer.strategy.study.trials) for explorer in explorers] == [1, 1]
-
-
 @pytest.mark.parametrize(
     ("arguments", "error", "words"),
     [
@@ -178,12 +169,3 @@ def test_refuses_trials_of_others():
         strategy.observe(db.Trial([0.0] * 3), np.zeros(2))
     with pytest.raises(ValueError, match="trial must be one that this strategy proposed"):
         strategy.fail(db.Trial([0.0] * 3), "no power")
-
-
-def test_is_a_value():
-    assert OptunaSampler(TPE, reward=GAIN) == OptunaSampler(TPE, reward=GAIN) != OptunaSampler()
-    assert OptunaSampler(reward=max).reward == FunctionReward(max)
-    assert repr(OptunaSampler()) == "OptunaSampler()"
-    assert repr(OptunaSampler(TPE, reward=GAIN)) == (
-        "OptunaSampler(partial(TPESampler, n_startup_trials=5), reward=Gain(BallCoverage(0.1)))"
-    )

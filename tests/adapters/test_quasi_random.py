@@ -1,8 +1,6 @@
 """Quasi-random babbling: SciPy's sequence, one point after the other, whatever block it is in."""
 
 import inspect
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -66,32 +64,7 @@ def test_it_is_scipys_sequence():
     )
 
 
-def test_each_exploration_has_its_sequence():
-    babbling = QuasiRandomBabbling()
-    runs = [db.explore(db.PlanarArm(m), babbling, 5, rng=0) for m in (2, 3, 2)]
-    assert [run.commands.shape[1] for run in runs] == [2, 3, 2]
-    np.testing.assert_array_equal(runs[0].commands, runs[2].commands)
-
-
 def test_too_many_coordinates_are_refused_before_the_first_step():
     space = db.Box([0] * 21202, [1] * 21202)
     with pytest.raises(ValueError, match="motor_space must have at most 21201 coordinates"):
         db.Explorer(QuasiRandomBabbling(), space)
-
-
-WITHOUT = """
-import sys
-sys.modules["scipy"] = sys.modules["scipy.stats"] = None
-import divbandit as db
-strategy = db.adapters.QuasiRandomBabbling()
-try:
-    db.explore(db.PlanarArm(2), strategy, 1)
-except ImportError as error:
-    print(error)
-"""
-
-
-def test_without_scipy_it_says_what_to_install():
-    command = [sys.executable, "-c", WITHOUT]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)  # noqa: S603
-    assert done.stdout == "QuasiRandomBabbling needs SciPy: pip install 'divbandit[qmc]'\n"

@@ -150,20 +150,6 @@ def test_a_batch_that_failed_as_a_whole_is_forgotten():
     assert len(log[0][0]) == 6
 
 
-@pytest.mark.parametrize("emitter", ["line", "evolution"])
-def test_failures_do_not_stop_it(emitter):
-    """Every third evaluation fails."""
-    explorer = db.Explorer(RibsEmitter(emitter), ARM.motor_space, ARM.sensory_space, rng=0)
-    for step in range(200):
-        trial = explorer.ask()
-        if step % 3 == 0:
-            explorer.fail(trial, "no power")
-        else:
-            explorer.tell(trial, ARM(trial.command))
-    assert len(explorer.history) == 133
-    assert len(np.unique(explorer.history.commands, axis=0)) == 133
-
-
 def test_more_than_a_batch_under_way():
     """Surplus trials are new commands, enter the archive, and leave the batch as it was."""
     explorer, log = explorer_and_log()
@@ -295,18 +281,6 @@ def test_an_emitter_that_asks_for_nothing():
         db.explore(ARM, nothing, n=1, rng=0)
 
 
-def test_each_exploration_has_its_emitter():
-    strategy = RibsEmitter("evolution")
-    one, other = (db.Explorer(strategy, ARM.motor_space, ARM.sensory_space, rng=3) for _ in "ab")
-    assert one.strategy.emitter is None
-    trials = [explorer.ask() for explorer in (one, other)]
-    assert trials[0].command.tolist() == trials[1].command.tolist()
-    assert one.strategy.emitter is not other.strategy.emitter
-    other.tell(trials[1], [0.0, 0.0])
-    other.ask()
-    assert (len(one.strategy.emitter.archive), len(other.strategy.emitter.archive)) == (0, 1)
-
-
 def test_trials_of_others_are_passed_over():
     history = db.History(ARM.motor_space, ARM.sensory_space)
     running, other = (Starter(history)(RibsEmitter("evolution")) for _ in "ab")
@@ -334,7 +308,13 @@ def test_two_draws_and_no_more():
     ("arguments", "error", "words"),
     [
         ({"emitter": "lines"}, ValueError, "emitter must be one of 'evolution', 'line', got"),
-        ({"emitter": 3}, TypeError, "emitter must be a name, got int"),
+        ({"emitter": 3}, TypeError, "emitter must be a name, or a function of an .*, got int"),
+        (
+            {"emitter": GaussianEmitter},
+            TypeError,
+            r"one, got the class GaussianEmitter: write lambda archive, seed: Gauss.*, seed=seed\)",
+        ),
+        ({"archive": GridArchive}, TypeError, "write lambda dim, seed: GridArchive"),
         ({"cells": 0}, ValueError, "cells must be at least 1, got 0"),
         ({"box": 3}, TypeError, "box must be a Box or have .low and .high, got int"),
         ({"archive": 3}, TypeError, "archive must be callable, got int"),
@@ -345,6 +325,14 @@ def test_two_draws_and_no_more():
 def test_refuses(arguments, error, words):
     with pytest.raises(error, match=words):
         RibsEmitter(**arguments)
+
+
+def test_takes_a_class_that_is_made_of_archive_and_seed():
+    class Gaussian(GaussianEmitter):
+        def __init__(self, archive, seed):
+            super().__init__(archive, sigma=0.1, x0=[0.5] * 4, seed=seed)
+
+    assert len(db.explore(ARM, RibsEmitter(Gaussian), n=3, rng=0)) == 3
 
 
 def test_refuses_environments():
@@ -358,13 +346,3 @@ def test_refuses_an_objective_that_is_no_number():
     strategy = RibsEmitter(objective=lambda *_: float("nan"))
     with pytest.raises(ValueError, match=r"objective\(\) must be a finite number"):
         db.explore(ARM, strategy, n=2, rng=0)
-
-
-def test_is_a_value():
-    box = db.Box([0], [1])
-    assert RibsEmitter(len, box=box) == RibsEmitter(len, box=box) != RibsEmitter(len)
-    assert repr(RibsEmitter()) == "RibsEmitter()"
-    assert repr(RibsEmitter(len, box=box, cells=7, objective=max)) == (
-        "RibsEmitter(len, box=Box([0.0], [1.0]), cells=7, objective=max)"
-    )
-    assert repr(RibsEmitter(archive=len)) == "RibsEmitter(archive=len)"

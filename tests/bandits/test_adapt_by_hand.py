@@ -20,63 +20,64 @@ def in_balls(*estimates):
     return pytest.approx([BALL * share for share in estimates], rel=1e-15)
 
 
-@both_engines
-def test_begins_with_a_ball_for_each(engine):
-    assert drive(engine, count=3).estimates == (BALL, BALL, BALL)
+#: Parameters, the estimates at first, and after each step: who proposed, whether it was new.
+CASES = {
+    "the head start counts until the window is full": (
+        {},
+        (1, 1),
+        [
+            (0, True, (1, 1)),  # (1 + 1) / 2
+            (0, False, (2 / 3, 1)),  # (1 + 1 + 0) / 3
+            (0, False, (1 / 3, 1)),  # the head start left: 1 + 0 + 0
+            (0, False, (0, 1)),
+            (1, False, (0, 1 / 2)),
+            (1, False, (0, 1 / 3)),
+            (1, True, (0, 1 / 3)),  # 0 + 0 + 1
+            (0, True, (1 / 3, 1 / 3)),
+        ],
+    ),
+    "without a head start the mean is over the gains there are": (
+        {"head_start": 0},
+        (0, 0),
+        [
+            (0, True, (1, 0)),
+            (0, False, (1 / 2, 0)),
+            (0, False, (1 / 3, 0)),
+            (0, False, (0, 0)),
+            (1, True, (0, 1)),
+        ],
+    ),
+    "two head starts leave one by one": (
+        {"head_start": 2},
+        (1, 1),
+        [(0, True, (1, 1)), (0, False, (2 / 3, 1)), (0, False, (1 / 3, 1)), (0, False, (0, 1))],
+    ),
+    "a window of one remembers the last gain": (
+        {"window": 1},
+        (1, 1),
+        [(0, True, (1, 1)), (0, False, (0, 1)), (1, False, (0, 0)), (1, True, (0, 1))],
+    ),
+    "what one strategy found gains nothing for another": (
+        {"window": 1},
+        (1, 1),
+        [(0, True, (1, 1)), (1, False, (1, 0))],
+    ),
+    "a window leaves all others alone": (
+        {"count": 3, "window": 1},
+        (1, 1, 1),
+        [(2, True, (1, 1, 1)), (2, False, (1, 1, 0)), (0, True, (1, 1, 0))],
+    ),
+}
 
 
 @both_engines
-def test_begins_with_nothing_without_a_head_start(engine):
-    assert drive(engine, head_start=0).estimates == (0.0, 0.0)
-
-
-@both_engines
-def test_the_mean_counts_the_head_start_until_the_window_is_full(engine):
-    run = drive(engine)
-    assert run.step(0, new=True) == in_balls(1, 1)  # (1 + 1) / 2
-    assert run.step(0, new=False) == in_balls(2 / 3, 1)  # (1 + 1 + 0) / 3
-    assert run.step(0, new=False) == in_balls(1 / 3, 1)  # the head start left: 1 + 0 + 0
-    assert run.step(0, new=False) == in_balls(0, 1)
-    assert run.step(1, new=False) == in_balls(0, 1 / 2)
-    assert run.step(1, new=False) == in_balls(0, 1 / 3)
-    assert run.step(1, new=True) == in_balls(0, 1 / 3)  # 0 + 0 + 1
-    assert run.step(0, new=True) == in_balls(1 / 3, 1 / 3)
-
-
-@both_engines
-def test_the_mean_is_over_the_gains_there_are_without_a_head_start(engine):
-    run = drive(engine, head_start=0)
-    assert run.step(0, new=True) == in_balls(1, 0)
-    assert run.step(0, new=False) == in_balls(1 / 2, 0)
-    assert run.step(0, new=False) == in_balls(1 / 3, 0)
-    assert run.step(0, new=False) == in_balls(0, 0)
-    assert run.step(1, new=True) == in_balls(0, 1)
-
-
-@both_engines
-def test_two_head_starts_leave_one_by_one(engine):
-    run = drive(engine, head_start=2)
-    assert run.estimates == (BALL, BALL)
-    run.step(0, new=True)  # the first effect of all gains; 1 1 1
-    assert run.step(0, new=False) == in_balls(2 / 3, 1)
-    assert run.step(0, new=False) == in_balls(1 / 3, 1)
-    assert run.step(0, new=False) == in_balls(0, 1)
-
-
-@both_engines
-def test_a_window_of_one_remembers_the_last_gain(engine):
-    run = drive(engine, window=1)
-    assert run.step(0, new=True) == in_balls(1, 1)
-    assert run.step(0, new=False) == in_balls(0, 1)
-    assert run.step(1, new=False) == in_balls(0, 0)
-    assert run.step(1, new=True) == in_balls(0, 1)
-
-
-@both_engines
-def test_what_one_strategy_found_gains_nothing_for_another(engine):
-    run = drive(engine, window=1)
-    run.step(0, new=True)
-    assert run.step(1, new=False) == in_balls(1, 0)
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_windows(case, engine):
+    parameters, first, steps = case
+    run = drive(engine, **parameters)
+    assert run.estimates == in_balls(*first)
+    for index, new, expected in steps:
+        assert run.step(index, new=new) == in_balls(*expected)
 
 
 @both_engines
@@ -87,16 +88,6 @@ def test_gains_between_nothing_and_a_ball(engine):
         run.explorer.tell(run.ask(0.0, 0.25 + 0.5 * index), [x, 0.0])
     lens = 0.25 * (2 * math.pi / 3 - math.sqrt(3) / 2)
     assert run.estimates == pytest.approx((BALL, BALL - lens), rel=1e-15)
-
-
-@both_engines
-def test_the_window_leaves_all_others_alone(engine):
-    run = drive(engine, count=3)
-    for _ in range(5):
-        run.step(2, new=False)
-    assert run.estimates == in_balls(1, 1, 0)
-    run.step(0, new=True)
-    assert run.estimates == in_balls(1, 1, 0)
 
 
 @both_engines

@@ -7,17 +7,14 @@ import pytest
 
 import divbandit as db
 from divbandit.bandits import Gain
-from tests.bandits.beliefs import replay
+from divbandit.measures import BallCoverage, Entropy, GridCoverage, Sparseness
 from tests.bandits.script import Drive, both_engines
+from tests.measures.every import Furthest
+from tests.reference.adapt_replay import beliefs
 
 ARM = db.PlanarArm(20)
 RMB, RGB = db.MotorBabbling, db.GoalBabbling
-MEASURES = (
-    db.measures.BallCoverage(0.05),
-    db.measures.GridCoverage(0.05),
-    db.measures.Sparseness(3),
-    db.measures.Entropy(0.2),
-)
+MEASURES = (BallCoverage(0.05), GridCoverage(0.05), Sparseness(3), Entropy(0.2))
 
 
 @both_engines
@@ -25,7 +22,7 @@ MEASURES = (
 def test_a_run_equals_its_replay_and_is_reproducible(measure, engine):
     adapt = db.Adapt([RMB(), RGB(0.05)], window=7, reward=Gain(measure), alpha=0.2)
     run, again = (db.explore(ARM, adapt, n=500, rng=5, engine=engine) for _ in range(2))
-    expected = replay(adapt, run, measure.start(2))
+    expected = beliefs(adapt, run, measure.start(2))
     np.testing.assert_allclose(run.estimates, expected, rtol=1e-15, atol=1e-300)
     assert run.commands.tobytes() == again.commands.tobytes()
     assert run.estimates.tobytes() == again.estimates.tobytes()
@@ -36,38 +33,15 @@ def test_a_run_equals_its_replay_and_is_reproducible(measure, engine):
 def test_the_default_is_coverage_with_the_papers_tau(engine):
     runs = [
         db.explore(ARM, db.Adapt([RMB(), RGB(0.05)], **by), n=400, rng=1, engine=engine)
-        for by in ({}, {"tau": 0.02}, {"reward": Gain(db.measures.BallCoverage(0.02))})
+        for by in ({}, {"tau": 0.02}, {"reward": Gain(BallCoverage(0.02))})
     ]
     assert len({run.commands.tobytes() for run in runs}) == 1
     assert len({run.estimates.tobytes() for run in runs}) == 1
 
 
-def by_grid(engine, count=2, **parameters):
-    grid = Gain(db.measures.GridCoverage(1.0))
-    return Drive(engine, count, reward=grid, **{"alpha": 0.5, "window": 3} | parameters)
-
-
-@both_engines
-def test_windows_by_hand(engine):
-    run = by_grid(engine)
-    assert run.estimates == (1.0, 1.0)
-    assert run.step(0, new=True) == (1.0, 1.0)
-    assert run.step(0, new=False) == (2 / 3, 1.0)
-    assert run.step(1, new=False) == (2 / 3, 0.5)
-    assert run.step(1, new=True) == (2 / 3, 2 / 3)
-
-
-@both_engines
-def test_two_head_starts(engine):
-    assert by_grid(engine, 1, head_start=2, window=2).estimates == (1.0,)
-    run = by_grid(engine, 1, head_start=2)
-    run.step(0, new=True)
-    assert run.step(0, new=False) == (2 / 3,)
-
-
 def by_entropy(engine, *steps):
     """Return a Drive of three strategies by entropy, after steps (index, new)."""
-    entropy = Gain(db.measures.Entropy(1.0))
+    entropy = Gain(Entropy(1.0))
     run = Drive(engine, 3, reward=entropy, window=1, head_start=0, alpha=0.1)
     for index, new in steps:
         run.step(index, new=new)
@@ -108,46 +82,20 @@ def test_where_none_is_above_zero_all_are_chosen_uniformly(engine):
     assert [run.choice(0.5, u) for u in (0.1, 0.5, 0.9)] == [0, 1, 2]
 
 
-class Count:
-    """A user's measure, which sets itself up: each effect gains less than the one before."""
-
-    dim, largest_gain, measure = 2, 1.0, 0.0
-
-    def __init__(self):
-        self.effects = []
-
-    def start(self, dim):
-        assert (dim, self.effects) == (2, [])
-        return self
-
-    def __len__(self):
-        return len(self.effects)
-
-    def gain(self, effect):
-        return 1.0 / (1 + len(self.effects)) + 0.0 * effect[0]
-
-    def add(self, effect):
-        gain = self.gain(effect)
-        self.effects.append(effect)
-        self.measure += gain
-        return gain
-
-    def extend(self, effects):
-        return np.array([self.add(effect) for effect in effects])
-
-
 def test_a_measure_that_sets_itself_up_is_copied_by_each_exploration():
-    template = Count()
+    template = Furthest()
     adapt = db.Adapt([RMB(), RGB(0.05)], reward=Gain(template))
     runs = [db.explore(ARM, adapt, n=50, rng=0) for _ in range(3)]
     assert len({run.estimates.tobytes() for run in runs}) == 1
-    np.testing.assert_allclose(runs[0].estimates, replay(adapt, runs[0], Count()), rtol=1e-15)
-    assert template.effects == []
+    np.testing.assert_allclose(
+        runs[0].estimates, beliefs(adapt, runs[0], Furthest().start(2)), rtol=1e-15
+    )
+    assert not hasattr(template, "dim")
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_gains_that_are_not_finite_are_refused(bad):
-    class Bad(Count):
+    class Bad(Furthest):
         def gain(self, effect):
             del effect
             return bad
@@ -156,12 +104,52 @@ def test_gains_that_are_not_finite_are_refused(bad):
     trial = explorer.ask()
     with pytest.raises(ValueError, match="measure must give finite gains, got"):
         explorer.tell(trial, [0.0, 0.0])
-    assert explorer.estimates == (1.0,)
+    assert explorer.estimates == (0.0,)
 
 
-def test_it_is_shown_with_its_reward():
-    grid = db.measures.GridCoverage(0.5)
-    adapt = db.Adapt([RMB()], reward=Gain(grid))
-    assert repr(adapt) == "Adapt([MotorBabbling()], reward=Gain(GridCoverage(0.5)))"
-    assert adapt.tau is None
-    assert repr(db.Adapt([RMB()])) == "Adapt([MotorBabbling()], tau=0.02)"
+RMB = db.MotorBabbling
+
+
+def cube(dim, *, known):
+    space = db.Box([0] * dim, [1] * dim)
+    return db.FunctionEnvironment(lambda x: x, space, space if known else None)
+
+
+@both_engines
+@pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
+@pytest.mark.parametrize("dim", [1, 3, 5])
+def test_effects_of_any_dimension(dim, known, engine):
+    grid = GridCoverage(0.25)
+    adapt = db.Adapt([RMB(), RMB()], reward=Gain(grid))
+    run = db.explore(cube(dim, known=known), adapt, n=60, rng=0, engine=engine)
+    assert np.array_equal(run.estimates, beliefs(adapt, run, grid.start(dim)))
+
+
+@both_engines
+@pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
+def test_a_measure_says_which_dimensions_it_takes(known, engine):
+    adapt = db.Adapt([RMB()], reward=Gain(Entropy([0.25, 0.5])))
+    with pytest.raises(ValueError, match=r"of a dimension that Adapt takes, got 3: .*cell"):
+        db.explore(cube(3, known=known), adapt, n=1, rng=0, engine=engine)
+
+
+@both_engines
+@pytest.mark.parametrize("dim", [1, 2, 3, 4, 9])
+def test_the_default_measures_in_whatever_dimension_coverage_takes(dim, engine):
+    adapt = db.Adapt([RMB(), RMB()], tau=0.3, window=5)
+    run = db.explore(cube(dim, known=True), adapt, n=60, rng=0, engine=engine)
+    expected = beliefs(adapt, run, BallCoverage(0.3).start(dim))
+    np.testing.assert_allclose(run.estimates, expected, rtol=1e-14)
+    # Until the first effect tells the dimension, a disc stands for a ball.
+    other = db.explore(cube(dim, known=False), adapt, n=60, rng=0, engine=engine)
+    assert other.commands.tobytes() == run.commands.tobytes()
+    assert other.estimates[0].tolist() == [math.pi * 0.3 * 0.3] * 2
+    assert other.estimates[1:].tobytes() == run.estimates[1:].tobytes()
+
+
+@both_engines
+@pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
+def test_the_default_says_which_dimensions_it_takes(known, engine):
+    message = "effects must be of a dimension that Adapt takes, got 40: dim must be from 1 to 32"
+    with pytest.raises(ValueError, match=message):
+        db.explore(cube(40, known=known), db.Adapt([RMB()]), n=1, rng=0, engine=engine)

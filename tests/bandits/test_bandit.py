@@ -8,30 +8,14 @@ import numpy as np
 import pytest
 
 import divbandit as db
-from divbandit.bandits import (
-    UCB,
-    CompetenceProgress,
-    Discounted,
-    EpsilonGreedy,
-    Exp3,
-    Exp3S,
-    FunctionReward,
-    Gain,
-    Proportional,
-    RecentWindow,
-    RoundRobin,
-    Softmax,
-    Thompson,
-    Uniform,
-    WholePast,
-    Window,
-)
+from divbandit import bandits as b
+from divbandit.measures import BallCoverage, Entropy, GridCoverage, Sparseness
 from tests.bandits.script import both_engines
 from tests.generators import state
 
 ARM = db.PlanarArm(4)
 RMB, RGB = db.MotorBabbling, db.GoalBabbling
-GRID = db.measures.GridCoverage
+GRID = GridCoverage
 
 
 def height(effect, history):
@@ -40,26 +24,32 @@ def height(effect, history):
 
 
 REWARDS = (
-    Gain(db.measures.BallCoverage(0.1)),
-    Gain(GRID(0.2)),
-    Gain(db.measures.Entropy(0.2)),
-    Gain(db.measures.Sparseness(2)),
-    CompetenceProgress(),
-    FunctionReward(height, bound=1.0),
+    b.Gain(BallCoverage(0.1)),
+    b.Gain(GRID(0.2)),
+    b.Gain(Entropy(0.2)),
+    b.Gain(Sparseness(2)),
+    b.CompetenceProgress(),
+    b.FunctionReward(height, bound=1.0),
     height,
 )
-ESTIMATORS = (Window(9), Window(5, head_start=0), RecentWindow(12), Discounted(0.9), WholePast())
+ESTIMATORS = (
+    b.Window(9),
+    b.Window(5, head_start=0),
+    b.RecentWindow(12),
+    b.Discounted(0.9),
+    b.WholePast(),
+)
 POLICIES = (
-    Proportional(0.2),
-    Proportional(0.2, power=2),
-    EpsilonGreedy(0.2),
-    Softmax(0.3),
-    UCB(0.5),
-    Thompson(),
-    Exp3(0.3),
-    Exp3S(0.3, 0.01),
-    RoundRobin(),
-    Uniform(),
+    b.Proportional(0.2),
+    b.Proportional(0.2, power=2),
+    b.EpsilonGreedy(0.2),
+    b.Softmax(0.3),
+    b.UCB(0.5),
+    b.Thompson(),
+    b.Exp3(0.3),
+    b.Exp3S(0.3, 0.01),
+    b.RoundRobin(),
+    b.Uniform(),
 )
 
 
@@ -110,17 +100,9 @@ def test_every_combination(parts):
 
 @both_engines
 def test_choices_carry_their_probability(engine):
-    bandit = made(REWARDS[0], Window(), Proportional(0.3))
+    bandit = made(REWARDS[0], b.Window(), b.Proportional(0.3))
     assert explorer_of(bandit, engine).ask().probability == pytest.approx(1 / 3, rel=1e-15)
     assert explorer_of(db.Adapt([RMB()] * 2), engine).ask().probability is None
-
-
-@both_engines
-def test_a_failure_is_a_reward_of_nothing(engine):
-    bandit = made(Gain(GRID(1.0)), Window(4), RoundRobin(), [RMB(), RMB()])
-    explorer = explorer_of(bandit, engine)
-    explorer.fail(explorer.ask(), "no power")
-    assert explorer.estimates == (0.5, 1.0)  # the head start and 0
 
 
 @both_engines
@@ -135,7 +117,7 @@ def test_failures_before_the_first_effect_are_kept_when_it_tells_the_dimension(e
 
 def test_competence_progress_by_hand():
     """Goal (3, 4): 5 from the origin, 3 from (3, 1); then (3, 3) is 1 away."""
-    history, reward = db.History(db.Box([0], [1])), CompetenceProgress().start(2)
+    history, reward = db.History(db.Box([0], [1])), b.CompetenceProgress().start(2)
     gained = []
     for effect in ([0.0, 0.0], [3.0, 1.0], [3.0, 3.0], [9.0, 9.0]):
         history.append([0.5], effect)
@@ -148,7 +130,7 @@ def test_competence_progress_by_hand():
 
 def test_a_gain_counts_the_effects_of_others_before():
     history = db.History(db.Box([0], [1]))
-    reward, trial = Gain(db.measures.BallCoverage(1.0)).start(2), db.Trial([0.5])
+    reward, trial = b.Gain(BallCoverage(1.0)).start(2), db.Trial([0.5])
     gains = []
     for others, effect in ((0, [0.0, 0.0]), (1, [0.0, 0.0]), (2, [5.0, 0.0]), (0, [9.0, 0.0])):
         for _ in range(others):
@@ -171,7 +153,7 @@ def test_a_gain_counts_the_effects_of_others_before():
     ],
 )
 def test_a_bad_reward_is_refused_and_changes_nothing(value, message):
-    explorer = explorer_of(made(lambda *_: value, WholePast(), UCB()))
+    explorer = explorer_of(made(lambda *_: value, b.WholePast(), b.UCB()))
     trial = explorer.ask()
     with pytest.raises((TypeError, ValueError), match=message):
         explorer.tell(trial, [0.0, 0.0])
@@ -182,14 +164,14 @@ def test_what_a_reward_raises_is_passed_on():
     def broken(*_):
         raise OSError("no ruler")
 
-    explorer = explorer_of(made(broken, WholePast(), UCB()))
+    explorer = explorer_of(made(broken, b.WholePast(), b.UCB()))
     with pytest.raises(OSError, match="no ruler"):
         explorer.tell(explorer.ask(), [0.0, 0.0])
 
 
 @pytest.mark.parametrize("value", [1, np.int64(1), np.float64(1.0), np.float32(1.0)])
 def test_other_numbers_are_rewards(value):
-    explorer = explorer_of(made(lambda *_: value, WholePast(), RoundRobin()))
+    explorer = explorer_of(made(lambda *_: value, b.WholePast(), b.RoundRobin()))
     explorer.tell(explorer.ask(), [0.0, 0.0])
     assert explorer.estimates == (1.0, 0.0, 0.0)
     assert type(explorer.estimates[0]) is float
@@ -215,7 +197,7 @@ class Odd:
     [3, -1, 1.0, None, "1", True, (0,), (0, 0.5, 1), (3, 0.5), (0, 0.0), (0, 1.5), (0, math.nan)],
 )
 def test_a_bad_choice_is_refused(chosen):
-    explorer = explorer_of(made(REWARDS[0], Window(), Odd(chosen)))
+    explorer = explorer_of(made(REWARDS[0], b.Window(), Odd(chosen)))
     with pytest.raises((TypeError, ValueError), match=r"policy\.choose\(\)"):
         explorer.ask()
 
@@ -224,13 +206,13 @@ def test_a_bad_choice_is_refused(chosen):
     "chosen", [1, np.int64(1), (1, None), (1, 0.25), (np.int32(1), np.float64(0.25))]
 )
 def test_a_good_choice(chosen):
-    trial = explorer_of(made(REWARDS[0], Window(), Odd(chosen))).ask()
+    trial = explorer_of(made(REWARDS[0], b.Window(), Odd(chosen))).ask()
     assert trial.path == (1,)
     assert trial.probability == (None if not isinstance(chosen, tuple) else chosen[1])
 
 
 def test_the_papers_three_parts_are_adapt():
-    bandit = made(REWARDS[0], Window(7, head_start=2), Proportional(0.2, power=1.5))
+    bandit = made(REWARDS[0], b.Window(7, head_start=2), b.Proportional(0.2, power=1.5))
     adapt = db.Adapt(bandit.strategies, tau=0.1, window=7, head_start=2, alpha=0.2, power=1.5)
     by_tau = replace(bandit, tau=0.1, reward=None)
     runs = [
@@ -269,7 +251,7 @@ class Listed:
         raise AssertionError
 
 
-GOOD = {"reward": REWARDS[0], "estimator": Window(), "policy": UCB()}
+GOOD = {"reward": REWARDS[0], "estimator": b.Window(), "policy": b.UCB()}
 
 
 @pytest.mark.parametrize(
@@ -279,7 +261,7 @@ GOOD = {"reward": REWARDS[0], "estimator": Window(), "policy": UCB()}
 @pytest.mark.parametrize("known", [True, False], ids=["known", "unknown"])
 def test_a_part_whose_start_returns_nonsense_is_refused(name, started, known):
     part = Nonsense(started)
-    parts = {"reward": Gain(part)} if name == "measure" else {name: part}
+    parts = {"reward": b.Gain(part)} if name == "measure" else {name: part}
     bandit = db.Bandit([RMB()] * 2, **GOOD | parts)
     sensory_space = ARM.sensory_space if known else None
     with pytest.raises(TypeError, match=rf"{name}\.start(\(\))? must return"):

@@ -6,54 +6,40 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from divbandit import _core
-from divbandit.bandits import (
-    UCB,
-    Discounted,
-    EpsilonGreedy,
-    Exp3,
-    Exp3S,
-    Proportional,
-    RecentWindow,
-    RoundRobin,
-    Softmax,
-    Thompson,
-    Uniform,
-    WholePast,
-    Window,
-)
+from divbandit import bandits as b
 from tests.generators import state, twins
 from tests.reference import estimators, policies
 
 ESTIMATORS = [
-    Window(3),
-    Window(1, head_start=0),
-    Window(50, head_start=7),
-    RecentWindow(1),
-    RecentWindow(5),
-    Discounted(0.9),
-    Discounted(1.0),
-    Discounted(0.3, head_start=2),
-    WholePast(),
+    b.Window(3),
+    b.Window(1, head_start=0),
+    b.Window(50, head_start=7),
+    b.RecentWindow(1),
+    b.RecentWindow(5),
+    b.Discounted(0.9),
+    b.Discounted(1.0),
+    b.Discounted(0.3, head_start=2),
+    b.WholePast(),
 ]
 POLICIES = [
-    Proportional(),
-    Proportional(0.0),
-    Proportional(0.3, power=8.0),
-    Proportional(0.1, power=0.0),
-    EpsilonGreedy(0.3),
-    EpsilonGreedy(1.0),
-    Softmax(),
-    Softmax(1e-5),
-    Softmax(0.5, scaled=False),
-    UCB(),
-    UCB(0.0),
-    Thompson(),
-    Exp3(),
-    Exp3(1.0),
-    Exp3S(),
-    Exp3S(0.9, 0.3),
-    RoundRobin(),
-    Uniform(),
+    b.Proportional(),
+    b.Proportional(0.0),
+    b.Proportional(0.3, power=8.0),
+    b.Proportional(0.1, power=0.0),
+    b.EpsilonGreedy(0.3),
+    b.EpsilonGreedy(1.0),
+    b.Softmax(),
+    b.Softmax(1e-5),
+    b.Softmax(0.5, scaled=False),
+    b.UCB(),
+    b.UCB(0.0),
+    b.Thompson(),
+    b.Exp3(),
+    b.Exp3(1.0),
+    b.Exp3S(),
+    b.Exp3S(0.9, 0.3),
+    b.RoundRobin(),
+    b.Uniform(),
 ]
 rewards = st.one_of(
     st.floats(-3.0, 3.0), st.sampled_from([0.0, -0.0, 1.0, 2.0]), st.floats(-1e6, 1e6)
@@ -119,10 +105,7 @@ def test_policies(value, estimator, parts, largest, seed, steps):
     assert state(rng) == state(other) == state(third)
 
 
-@given(
-    st.lists(st.floats(0.0, 1e3), min_size=1, max_size=6),
-    st.floats(0.0, 1.0, exclude_max=True),
-)
+@given(st.lists(st.floats(0.0, 1e3), min_size=1, max_size=6), st.floats(0.0, 1.0, exclude_max=True))
 def test_proportionally(weights, u):
     assert _core.proportionally(weights, u) == policies.proportionally(weights, u)
 

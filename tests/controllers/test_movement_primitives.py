@@ -1,12 +1,10 @@
 """Movement primitives: against another library's, and laws of what is linear."""
 
-import pickle
-
 import numpy as np
 import pytest
 from movement_primitives.dmp import DMP
 
-import divbandit as db
+from divbandit.controllers import MovementPrimitives
 
 
 def of_the_library(primitives, command, steps):
@@ -24,7 +22,7 @@ def of_the_library(primitives, command, steps):
 @pytest.mark.parametrize(("dofs", "basis", "steps"), [(1, 2, 10), (2, 5, 50), (7, 9, 25)])
 def test_the_library_converges_to_it(dofs, basis, steps, goals):
     rng = np.random.default_rng(dofs)
-    primitives = db.controllers.MovementPrimitives(
+    primitives = MovementPrimitives(
         dofs, basis=basis, steps=steps, weights=0.5, goals=goals, start=rng.uniform(-1, 1, dofs)
     )
     command = primitives.motor_space.sample(rng)
@@ -39,20 +37,20 @@ def test_the_library_converges_to_it(dofs, basis, steps, goals):
 
 
 def test_a_weight_of_one_moves_a_joint_by_one():
-    primitives = db.controllers.MovementPrimitives(1, basis=4, steps=100, goals=None)
+    primitives = MovementPrimitives(1, basis=4, steps=100, goals=None)
     moved = primitives.trajectory(np.eye(4))
     np.testing.assert_allclose(np.abs(moved).max(axis=1), 1.0, rtol=1e-12)
     assert (moved[:, 0] == 0).all()
 
 
 def test_it_ends_at_its_goal_but_for_what_the_last_bumps_leave():
-    primitives = db.controllers.MovementPrimitives(1, steps=100)
+    primitives = MovementPrimitives(1, steps=100)
     ends = primitives.trajectory(np.eye(6))[:, -1, 0]
     np.testing.assert_allclose(ends, [0.015, 0.027, 0.132, 0.578, 0.835, 1.0], atol=1e-3)
 
 
 def test_it_is_linear_and_joints_do_not_mix():
-    primitives = db.controllers.MovementPrimitives(3, basis=4, steps=20)
+    primitives = MovementPrimitives(3, basis=4, steps=20)
     rng = np.random.default_rng(0)
     one, other = primitives.motor_space.sample_many(2, rng) / 2
     both = primitives.trajectory(one) + primitives.trajectory(other)
@@ -64,40 +62,10 @@ def test_it_is_linear_and_joints_do_not_mix():
 
 
 def test_many_at_once_are_the_same_bits_as_one_by_one():
-    primitives = db.controllers.MovementPrimitives(4, start=[0.1, 0.2, 0.3, 0.4], limit=0.5)
+    primitives = MovementPrimitives(4, start=[0.1, 0.2, 0.3, 0.4], limit=0.5)
     commands = primitives.motor_space.sample_many(30, np.random.default_rng(1))
     many = primitives.trajectory(commands)
     assert many.shape == (30, 51, 4)
     assert np.array_equal(many, [primitives.trajectory(command) for command in commands])
     assert np.abs(many).max() == 0.5
     assert primitives.trajectory(commands[:0]).shape == (0, 51, 4)
-
-
-def test_it_is_copied_with_all_it_has():
-    primitives = db.controllers.MovementPrimitives(
-        2, basis=3, steps=7, goals=None, start=[1, 0], limit=2
-    )
-    again = pickle.loads(pickle.dumps(primitives))  # noqa: S301 - just written
-    command = primitives.motor_space.high
-    assert np.array_equal(again.trajectory(command), primitives.trajectory(command))
-    assert repr(again) == repr(primitives)
-
-
-@pytest.mark.parametrize(
-    ("wrong", "says"),
-    [
-        ({"dofs": 0}, "dofs must be from 1 to 10000"),
-        ({"basis": 1}, "basis must be from 2 to 1000"),
-        ({"steps": 0}, "steps must be from 1 to 100000"),
-        ({"weights": -1}, "weights must be a positive"),
-        ({"goals": 0}, "goals must be a positive"),
-        ({"start": [0.0]}, "start must have shape"),
-        ({"limit": 0}, "limit must be a positive"),
-        ({"start": [2.0, 0.0], "limit": 1}, "start must be within the limit"),
-    ],
-)
-def test_what_is_refused(wrong, says):
-    with pytest.raises(ValueError, match=says):
-        db.controllers.MovementPrimitives(**{"dofs": 2} | wrong)
-    with pytest.raises(ValueError, match="command must have shape"):
-        db.controllers.MovementPrimitives(2).trajectory([0.0])

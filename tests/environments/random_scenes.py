@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import divbandit as db
+from divbandit.environments import Disc, Polygon, Rectangle, Wall
 from tests.reference import contact
 
 #: No obstacle is nearer to the arm at rest.
@@ -83,18 +84,18 @@ def _obstacle(rng, place):
     size = _powers(rng, 1e-4, 0.08)
     match rng.integers(5):
         case 0:
-            return db.environments.Disc(place, size)
+            return Disc(place, size)
         case 1:
             half = size * rng.uniform(0.1, 1.0, 2)
-            return db.environments.Rectangle(place - half, place + half)
+            return Rectangle(place - half, place + half)
         case 2:
-            return db.environments.Polygon(place + size * _star(rng))
+            return Polygon(place + size * _star(rng))
         case 3:
-            return db.environments.Polygon(place + size * _pocket(rng))
+            return Polygon(place + size * _pocket(rng))
     angle = rng.uniform(0, 2 * np.pi)
     half = size * np.array([np.cos(angle), np.sin(angle)])
     thickness = rng.choice([0.0, 1e-6, _powers(rng, 1e-5, 0.05)])
-    return db.environments.Wall(place - half, place + half, thickness=thickness)
+    return Wall(place - half, place + half, thickness=thickness)
 
 
 def _star(rng):

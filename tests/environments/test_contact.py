@@ -8,11 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import divbandit as db
+from divbandit.environments import Disc, Polygon, Rectangle, Wall
 from tests.environments.random_scenes import Scene, among, rest_clearance, scene
 from tests.reference import contact
 
 SCENES = 500
-STEPS = 10_000
+STEPS = 5_000
 #: What may be left between the arm and what it touches, in metres.
 LEFT = 1e-6
 #: The share of the way to which contact is found, and what is contact, in metres, for rounding.
@@ -37,13 +38,7 @@ def test_a_good_share_of_scenes_end_in_contact(first_contacts):
     assert 0.3 < share < 0.7
     stopped = [each for each, found in first_contacts if found is not None]
     kinds = {type(obstacle) for each in stopped for obstacle in touched(each)}
-    assert kinds == {
-        db.environments.Disc,
-        db.environments.Rectangle,
-        db.environments.Polygon,
-        db.environments.Wall,
-        type(None),
-    }
+    assert kinds == {Disc, Rectangle, Polygon, Wall, type(None)}
 
 
 def touched(each):
@@ -100,14 +95,14 @@ def test_laws_of_random_scenes(seed):
 numbers = st.floats(-1.25, 1.25, width=32)
 points = st.tuples(numbers, numbers)
 walls = st.builds(
-    lambda start, end, thickness: db.environments.Wall(start, end, thickness=thickness),
+    lambda start, end, thickness: Wall(start, end, thickness=thickness),
     points,
     points.map(lambda point: (point[0], point[1] + 2.5)),  # elsewhere than its start
     st.sampled_from([0.0, 1e-9, 1e-6, 0.01]),
 )
-discs = st.builds(db.environments.Disc, points, st.sampled_from([1e-9, 1e-6, 0.01, 0.3]))
+discs = st.builds(Disc, points, st.sampled_from([1e-9, 1e-6, 0.01, 0.3]))
 rectangles = st.builds(
-    lambda low, width, height: db.environments.Rectangle(low, (low[0] + width, low[1] + height)),
+    lambda low, width, height: Rectangle(low, (low[0] + width, low[1] + height)),
     points,
     st.sampled_from([1e-6, 0.01, 1.0]),
     st.sampled_from([1e-6, 0.01, 1.0]),
@@ -147,10 +142,10 @@ def test_the_order_of_obstacles_does_not_matter():
 def test_what_is_out_of_reach_changes_no_bit(joints, limit):
     free = db.PlanarArm(joints, limit=limit)
     far = [
-        db.environments.Disc([1.5, 0], 0.4),
-        db.environments.Rectangle([-3, -3], [3, -1.01]),
-        db.environments.Wall([-2, 1.01], [2, 1.01], thickness=0.005),
-        db.environments.Polygon([[-1.1, -1], [-1.2, 1], [-1.3, 0]]),
+        Disc([1.5, 0], 0.4),
+        Rectangle([-3, -3], [3, -1.01]),
+        Wall([-2, 1.01], [2, 1.01], thickness=0.005),
+        Polygon([[-1.1, -1], [-1.2, 1], [-1.3, 0]]),
     ]
     arm = among(free, far)
     commands = np.random.default_rng(2).uniform(-limit, limit, (500, joints))

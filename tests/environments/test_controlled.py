@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.controllers import MovementPrimitives
+from divbandit.environments import Controlled, Disc, PushArm, Wall
 
 
 class Ramp:
@@ -19,8 +21,8 @@ class Ramp:
 
 
 def test_a_straight_trajectory_is_the_arm_itself():
-    arm = db.PlanarArm(2, obstacles=[db.environments.Disc([0.5, 0.5], 0.1)])
-    moved = db.environments.Controlled(arm, Ramp())
+    arm = db.PlanarArm(2, obstacles=[Disc([0.5, 0.5], 0.1)])
+    moved = Controlled(arm, Ramp())
     commands = moved.motor_space.sample_many(50, np.random.default_rng(0))
     np.testing.assert_array_equal(moved(commands), arm(commands))
     np.testing.assert_array_equal(moved(commands[0]), arm(commands[0]))
@@ -28,13 +30,11 @@ def test_a_straight_trajectory_is_the_arm_itself():
     assert moved.sensory_space == arm.sensory_space
 
 
-@pytest.mark.parametrize("body", [db.PlanarArm, db.environments.PushArm])
+@pytest.mark.parametrize("body", [db.PlanarArm, PushArm])
 def test_movement_primitives_drive_arms(body):
-    arm = body(4, obstacles=[db.environments.Wall([-1, 0.7], [1, 0.7])])
-    primitives = db.controllers.MovementPrimitives(
-        4, basis=3, steps=20, weights=2.0, limit=arm.limit
-    )
-    moved = pickle.loads(pickle.dumps(db.environments.Controlled(arm, primitives)))  # noqa: S301 - just written
+    arm = body(4, obstacles=[Wall([-1, 0.7], [1, 0.7])])
+    primitives = MovementPrimitives(4, basis=3, steps=20, weights=2.0, limit=arm.limit)
+    moved = pickle.loads(pickle.dumps(Controlled(arm, primitives)))  # noqa: S301 - just written
     adapt = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau=0.02)
     run = db.explore(moved, adapt, 200, rng=0)
     for command, effect in zip(run.commands[:20], run.effects, strict=False):
@@ -45,14 +45,14 @@ def test_movement_primitives_drive_arms(body):
 def test_what_is_refused():
     arm = db.PlanarArm(2)
     with pytest.raises(TypeError, match="body must have follow"):
-        db.environments.Controlled(Ramp(), Ramp())
+        Controlled(Ramp(), Ramp())
     with pytest.raises(TypeError, match="controller must have trajectory"):
-        db.environments.Controlled(arm, arm)
+        Controlled(arm, arm)
     with pytest.raises(ValueError, match="trajectory must have shape"):
-        db.environments.Controlled(db.PlanarArm(3), Ramp())([0.5, 0.5])
+        Controlled(db.PlanarArm(3), Ramp())([0.5, 0.5])
     far = SimpleNamespace(motor_space=db.Box([0], [9]), trajectory=lambda x: [[0, 0], [x[0], 0]])
     with pytest.raises(ValueError, match="within the joint's limit"):
-        db.environments.Controlled(arm, far)([9.0])
+        Controlled(arm, far)([9.0])
     nowhere = SimpleNamespace(sensory_space=None, follow=lambda _: [np.nan])
     with pytest.raises(ValueError, match="effect"):
-        db.environments.Controlled(nowhere, Ramp())([0.0, 0.0])
+        Controlled(nowhere, Ramp())([0.0, 0.0])

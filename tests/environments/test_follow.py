@@ -108,12 +108,6 @@ def test_many_at_once_are_the_same_bits_as_one_by_one():
         assert tips.tolist() == [each.arm.follow(one).tolist() for one in many]
 
 
-def test_nothing_in_the_way():
-    arm = db.PlanarArm(4)
-    trajectory = np.array([[0.0] * 4, [1.0] * 4, [-2.0, 1.0, 0.5, 2.0]])
-    assert arm.follow(trajectory).tolist() == arm(trajectory[-1]).tolist()
-
-
 @pytest.mark.parametrize("obstacles", [(), (WALL,)], ids=["free", "obstructed"])
 @pytest.mark.parametrize(
     "trajectory",

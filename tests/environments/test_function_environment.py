@@ -54,28 +54,10 @@ def test_an_effect_that_is_no_point_is_refused(wrong):
         db.explore(environment, db.MotorBabbling(), n=1, rng=0)
 
 
-def test_an_error_of_the_function_is_passed_on():
-    def broken(x):
-        raise ZeroDivisionError(x)
-
-    with pytest.raises(ZeroDivisionError):
-        db.explore(db.FunctionEnvironment(broken, SQUARE), db.MotorBabbling(), n=1, rng=0)
-
-
 def test_effects_of_several_lengths_are_refused():
     environment = db.FunctionEnvironment(lambda x: [0.0] * (1 + (x[0] > 0)), SQUARE)
     with pytest.raises(ValueError, match="effect"):
         environment([[-0.5, 0], [0.5, 0]])
-
-
-def test_it_explores():
-    environment = db.FunctionEnvironment(swap, SQUARE, SQUARE)
-    run = db.explore(environment, db.GoalBabbling(0.1), n=50, rng=0)
-    assert run.effects.tolist() == run.commands[:, ::-1].tolist()
-
-
-def test_its_repr_names_the_function():
-    assert "swap" in repr(db.FunctionEnvironment(swap, SQUARE))
 
 
 def test_a_function_of_scalars_gets_plain_floats():
@@ -96,8 +78,3 @@ def test_a_function_of_scalars_gets_plain_floats():
 def test_a_single_number_is_an_effect_of_one_dimension():
     total = db.FunctionEnvironment(lambda x: x.sum(), db.Box([0, 0], [1, 1]), db.Box([0], [2]))
     assert total([0.5, 1.0]).tolist() == [1.5]
-
-
-def test_scalars_must_be_true_or_false():
-    with pytest.raises(TypeError, match="scalars must be True or False"):
-        db.FunctionEnvironment(abs, db.Box([0], [1]), scalars=1)

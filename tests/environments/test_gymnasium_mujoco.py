@@ -56,14 +56,14 @@ def commands_of(environment, n):
 
 
 @pytest.mark.parametrize("name", EXPLORED)
-def test_300_episodes_twice_are_the_same_bits(name):
+def test_episodes_twice_are_the_same_bits(name):
     first = three_hundred(name)
     with EXPLORED[name]() as environment:
-        second = db.explore(environment, ADAPT, n=300, rng=0)
+        second = db.explore(environment, ADAPT, n=50, rng=0)
     assert len(first) == 300
-    assert first.commands.tobytes() == second.commands.tobytes()
-    assert first.effects.tobytes() == second.effects.tobytes()
-    assert first.choices.tolist() == second.choices.tolist()
+    assert first.commands[:50].tobytes() == second.commands.tobytes()
+    assert first.effects[:50].tobytes() == second.effects.tobytes()
+    assert first.choices[:50].tolist() == second.choices.tolist()
     assert set(first.choices.tolist()) == {0, 1}
 
 

@@ -2,7 +2,6 @@
 
 import contextlib
 import os
-import pickle
 import signal
 import subprocess
 import sys
@@ -15,13 +14,14 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.environments import ProcessEnvironment
 
 SPACE = db.Box([-1, -1], [1, 1])
 
 
-def program(code, **options):
-    words = [sys.executable, "-S", "-c", f"import json, os, sys, time; {code}"]
-    return db.environments.ProcessEnvironment(words, SPACE, **{"timeout": 60.0} | options)
+def program(code, *words, **options):
+    command_line = [sys.executable, "-S", "-c", f"import json, os, sys, time; {code}", *words]
+    return ProcessEnvironment(command_line, SPACE, **{"timeout": 60.0} | options)
 
 
 ECHO = "print([float(x) for x in sys.argv[1:]])"
@@ -41,8 +41,7 @@ def test_a_number_and_an_entry_are_effects():
 
 
 def test_words_are_no_shell():
-    words = [sys.executable, "-S", "-c", "import sys; print(len(sys.argv))", "$HOME; a  b", "*"]
-    assert db.environments.ProcessEnvironment(words, SPACE)([0, 0]).tolist() == [5.0]
+    assert program("print(len(sys.argv))", "$HOME; a  b", "*")([0, 0]).tolist() == [5.0]
 
 
 @pytest.mark.parametrize(
@@ -77,7 +76,7 @@ def test_a_missing_entry_is_named():
 
 def test_a_missing_program_is_said():
     with pytest.raises(FileNotFoundError):
-        db.environments.ProcessEnvironment(["/nowhere/at/all"], SPACE)([0, 0])
+        ProcessEnvironment(["/nowhere/at/all"], SPACE)([0, 0])
 
 
 def test_an_effect_of_another_dimension_is_refused():
@@ -114,8 +113,7 @@ def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
         "import subprocess; child = subprocess.Popen(['sleep', '600']); "
         "open(sys.argv[1], 'w').write(f'{os.getpid()} {child.pid}'); time.sleep(600)"
     )
-    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pids")]
-    slow = db.environments.ProcessEnvironment(words, SPACE, timeout=3.0)
+    slow = program(code, str(tmp_path / "pids"), timeout=3.0)
     with pytest.raises(TimeoutError, match=r"within timeout = 3.0 s"):
         slow([0, 0])
     pids = [int(pid) for pid in (tmp_path / "pids").read_text(encoding="utf-8").split()]
@@ -125,21 +123,24 @@ def test_what_takes_too_long_is_killed_with_all_it_has_started(tmp_path):
 
 def test_an_interrupted_evaluation_leaves_nothing(tmp_path):
     code = "open(sys.argv[1], 'w').write(str(os.getpid())); time.sleep(600)"
-    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}", str(tmp_path / "pid")]
-    slow = db.environments.ProcessEnvironment(words, SPACE)
+    slow = program(code, str(tmp_path / "pid"))
 
     def interrupt():
         while not (tmp_path / "pid").is_file() or not (tmp_path / "pid").read_text():
             time.sleep(0.01)
-        os.kill(os.getpid(), signal.SIGINT)
+        # One that comes just before the wait is heard after it: then another is needed.
+        while not interrupted.is_set():
+            os.kill(os.getpid(), signal.SIGINT)
+            interrupted.wait(5)
 
-    thread = threading.Thread(target=interrupt)
+    interrupted, thread = threading.Event(), threading.Thread(target=interrupt)
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         thread.start()
         with pytest.raises(KeyboardInterrupt):
             slow([0, 0])
     finally:
+        interrupted.set()
         thread.join()
         signal.signal(signal.SIGINT, before)
     assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))
@@ -206,26 +207,6 @@ def test_several_at_once_and_failures_survived():
     np.testing.assert_array_equal(run.effects[:, 0], run.commands[:, 0])
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error", "says"),
-    [
-        (("sleep 1", SPACE), TypeError, "command_line must be a list of words"),
-        (([], SPACE), ValueError, "command_line must not be empty"),
-        ((["a", 1], SPACE), TypeError, r"command_line\[1\] must be a string"),
-        ((["a\0"], SPACE), TypeError, r"command_line\[0\] must be a string"),
-        ((["a"], None), TypeError, "motor_space"),
-    ],
-)
-def test_what_is_refused(arguments, error, says):
-    with pytest.raises(error, match=says):
-        db.environments.ProcessEnvironment(*arguments)
-    for timeout in (0, -1, float("nan"), 1e7, 10**400):
-        with pytest.raises(ValueError, match="timeout must be"):
-            db.environments.ProcessEnvironment(["a"], SPACE, timeout=timeout)
-    with pytest.raises(TypeError, match="entry must be a string"):
-        db.environments.ProcessEnvironment(["a"], SPACE, entry=1)
-
-
 def test_the_output_may_be_long():
     long = program("print(json.dumps([0.5] * 200000))")
     assert long([0, 0]).shape == (200000,)
@@ -239,8 +220,7 @@ def test_output_without_end_is_refused():
 
 def test_what_closes_its_output_still_has_to_end(tmp_path):
     code = "open(sys.argv[1], 'w').write(str(os.getpid())); os.close(1); os.close(2); "
-    words = [sys.executable, "-S", "-c", f"import os, sys, time; {code}time.sleep(600)"]
-    quiet = db.environments.ProcessEnvironment([*words, str(tmp_path / "pid")], SPACE, timeout=2.0)
+    quiet = program(code + "time.sleep(600)", str(tmp_path / "pid"), timeout=2.0)
     with pytest.raises(TimeoutError, match=r"within timeout = 2.0 s"):
         quiet([0, 0])
     assert gone(int((tmp_path / "pid").read_text(encoding="utf-8")))
@@ -264,21 +244,9 @@ def test_nothing_stays_open(tmp_path):
     assert not any(Path("/proc", pid).exists() for pid in pids)
 
 
-def test_the_longest_time_out_is_one():
-    assert program(ECHO, timeout=1e6)([0.5, 0.25]).tolist() == [0.5, 0.25]
-
-
 def test_small_numbers_below_zero_are_no_options():
     code = (
         "import argparse; words = argparse.ArgumentParser(); "
         "words.add_argument('x', type=float, nargs=2); print(words.parse_args().x)"
     )
-    words = [sys.executable, "-S", "-c", code, "--"]
-    assert db.environments.ProcessEnvironment(words, SPACE)([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]
-
-
-def test_it_is_copied_with_all_it_has():
-    double = program("print(json.dumps({'y': 2 * float(sys.argv[1])}))", entry="y")
-    again = pickle.loads(pickle.dumps(double))  # noqa: S301 - just written
-    assert again([0.25, 0]).tolist() == [0.5]
-    assert repr(again) == repr(double)
+    assert program(code, "--")([-1e-5, -0.5]).tolist() == [-1e-5, -0.5]

@@ -1,5 +1,6 @@
 """explore_many: the very explorations of a plain loop, whatever the number of threads."""
 
+import itertools
 import threading
 from functools import partial
 
@@ -7,13 +8,14 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.experiments import Task
 from tests.compositions import compositions
 from tests.generators import state
 from tests.threads import at_once
 
 ARM = db.PlanarArm(5)
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], window=10)
-SHORT = db.experiments.Task(ARM, ADAPT, n=30)
+SHORT = Task(ARM, ADAPT, n=30)
 
 
 class Backwards(db.Strategy):
@@ -49,7 +51,7 @@ def test_the_same_bits_as_a_plain_loop(jobs):
     """All share one environment, and each strategy is shared by two tasks of other lengths."""
     strategies = [*compositions().values(), Backwards()]
     tasks = [
-        db.experiments.Task(ARM, strategy, n, rng=seed)
+        Task(ARM, strategy, n, rng=seed)
         for n in (120, 40)
         for seed, strategy in enumerate(strategies)
     ]
@@ -62,7 +64,7 @@ def test_an_environment_in_python_shared_by_threads(jobs):
     square = db.FunctionEnvironment(
         lambda x: x**2, db.Box([-1, -1], [1, 1]), db.Box([0, 0], [1, 1])
     )
-    tasks = [*db.experiments.Task(square, ADAPT, n=50).over(range(12))]
+    tasks = [*Task(square, ADAPT, n=50).over(range(12))]
     plain = [bits(db.explore(square, ADAPT, n=50, rng=seed)) for seed in range(12)]
     assert explored(tasks, jobs=jobs) == plain
 
@@ -92,11 +94,6 @@ def test_a_generator_gives_one_number_at_the_call():
     assert [bits(runs[place]) for place in range(3)] == explored([SHORT] * 3, rng=seed)
 
 
-def test_without_a_seed_all_differ():
-    runs = explored([SHORT] * 3) + explored([SHORT] * 3)
-    assert len({run[0] for run in runs}) == 6
-
-
 def test_a_seed_of_its_own_is_used_and_moves_no_other():
     mixed = [SHORT, *SHORT.over([5]), SHORT]
     plain = explored([SHORT] * 3, rng=1)
@@ -121,8 +118,8 @@ def test_they_come_as_they_finish():
         return x
 
     box = db.Box([0], [1])
-    waiting = db.experiments.Task(db.FunctionEnvironment(patient, box), db.MotorBabbling(), n=1)
-    quick = db.experiments.Task(db.FunctionEnvironment(lambda x: x, box), db.MotorBabbling(), n=1)
+    waiting = Task(db.FunctionEnvironment(patient, box), db.MotorBabbling(), n=1)
+    quick = Task(db.FunctionEnvironment(lambda x: x, box), db.MotorBabbling(), n=1)
     places = []
     for place, _ in db.explore_many([waiting, quick], jobs=2):
         places.append(place)
@@ -137,12 +134,6 @@ def test_what_keep_returns_is_kept(jobs):
     )
     plain = {seed: db.explore(ARM, ADAPT, n=30, rng=seed).effects[-1, 0] for seed in range(9)}
     assert kept == plain
-
-
-def test_keep_may_return_none():
-    assert sorted(db.explore_many([SHORT] * 3, keep=lambda _: None)) == [
-        (k, None) for k in range(3)
-    ]
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -182,3 +173,22 @@ def test_explorations_within_what_keeps_an_exploration():
 def test_many_at_once_from_several_threads():
     found = at_once(partial(explored, [SHORT] * 5, rng=k, jobs=2) for k in range(4))
     assert found == [explored([SHORT] * 5, rng=k, jobs=1) for k in range(4)]
+
+
+TASK = Task(db.PlanarArm(2), db.MotorBabbling(), 10)
+
+
+def test_over_seeds_differs_in_the_seed_alone():
+    tasks = list(TASK.over([4, None, 2]))
+    assert [task.rng for task in tasks] == [4, None, 2]
+    assert all(task.environment is TASK.environment for task in tasks)
+    assert all(task.strategy is TASK.strategy for task in tasks)
+    assert all(task.n == 10 for task in tasks)
+    assert TASK.rng is None
+
+
+def test_over_takes_seeds_one_by_one():
+    seeds = itertools.count()
+    tasks = TASK.over(seeds)
+    assert next(seeds) == 0
+    assert next(tasks).rng == 1

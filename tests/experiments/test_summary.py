@@ -37,20 +37,13 @@ def test_coverage_on_a_line_is_a_length():
     assert found.coverage.tolist() == [0.5, 1.0, 2.0]
 
 
-def test_by_default_it_is_the_last_coverage():
-    assert db.experiments.summarize(0.1)(RUN).coverage.tolist() == [RUN.coverage(0.1)[-1]]
-
-
-def test_no_step_may_be_asked_for():
-    found = db.experiments.summarize(0.1, at=[])(RUN)
-    assert found.coverage.shape == (0,)
-    assert found.usage.shape == (3,)
-
-
-def test_steps_may_be_numpys_and_are_read_once():
-    once = db.experiments.summarize(0.1, at=iter(np.array([3, 5])))
+@pytest.mark.parametrize(
+    ("options", "steps"), [({}, [39]), ({"at": []}, []), ({"at": iter(np.array([3, 5]))}, [2, 4])]
+)
+def test_steps_are_the_last_by_default_none_or_numpys_and_read_once(options, steps):
+    keep = db.experiments.summarize(0.1, **options)
     for _ in range(2):
-        assert once(RUN).coverage.tolist() == RUN.coverage(0.1)[[2, 4]].tolist()
+        assert keep(RUN).coverage.tolist() == RUN.coverage(0.1)[steps].tolist()
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,14 @@
-"""An Explorer records what it is told, once, of its own trials, or nothing at all."""
+"""An Explorer records what it is told, once, of its own trials, or nothing at all.
 
-import math
+Asking for n trials is asking n times, and telling a list is telling each.
+"""
 
 import numpy as np
 import pytest
 
 import divbandit as db
+from tests.compositions import NAMES, compositions
+from tests.exploration.sameness import everything
 
 ARM = db.PlanarArm(3)
 ADAPT = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], window=5)
@@ -42,32 +45,6 @@ def test_another_explorers_trial_is_refused():
     assert told(explorer) == told(other)
 
 
-def test_a_trial_made_by_hand_is_refused():
-    explorer = new_explorer()
-    command = explorer.ask().command
-    with pytest.raises(ValueError, match="trial must be pending"):
-        explorer.tell(db.Trial(command), [0.5, 0.5])
-
-
-BAD = [[math.nan, 0], [0, math.inf], [0], [0, 0, 0], [], "ab", None, [1j, 0], [[0, 0]]]
-
-
-@pytest.mark.parametrize("bad", BAD, ids=repr)
-@pytest.mark.parametrize("steps", [0, 10])
-def test_a_bad_effect_leaves_no_trace_and_a_good_one_can_follow(bad, steps):
-    disturbed, plain = new_explorer(), new_explorer()
-    for n in range(steps + 5):
-        trials = [explorer.ask() for explorer in (disturbed, plain)]
-        if n >= steps:
-            with pytest.raises((TypeError, ValueError), match="effect"):
-                disturbed.tell(trials[0], bad)
-            assert len(disturbed.history) == n
-        for explorer, trial in zip((disturbed, plain), trials, strict=True):
-            explorer.tell(trial, ARM(trial.command))
-    assert told(disturbed) == told(plain)
-    assert disturbed.ask().command.tolist() == plain.ask().command.tolist()
-
-
 @pytest.mark.parametrize("s", [1, 2, 3, 7])
 def test_the_first_effect_tells_the_dimension(s):
     explorer = db.Explorer(db.MotorBabbling(), ARM.motor_space, rng=0)
@@ -77,17 +54,6 @@ def test_the_first_effect_tells_the_dimension(s):
     with pytest.raises(ValueError, match="effect must have shape"):
         explorer.tell(explorer.ask(), [0.5] * (s + 1))
     assert explorer.result().effects.tolist() == [[0.5] * s]
-
-
-def test_effects_that_the_strategy_cannot_use_are_refused_at_the_first():
-    adapt = db.Adapt([db.MotorBabbling()])
-    explorer = db.Explorer(adapt, ARM.motor_space, rng=0)
-    trial = explorer.ask()
-    with pytest.raises(ValueError, match="effects must be of a dimension that Adapt takes, got 33"):
-        explorer.tell(trial, [0.0] * 33)
-    assert len(explorer.history) == 0
-    with pytest.raises(ValueError, match="effects must be of a dimension that Adapt takes, got 40"):
-        db.Explorer(adapt, ARM.motor_space, db.Box([0] * 40, [1] * 40))
 
 
 def test_the_log_is_not_changed_through_a_command():
@@ -107,16 +73,6 @@ def test_the_log_is_not_changed_through_a_command():
             array[0, 0] = 1.0
 
 
-def test_a_black_box_that_changes_its_command_is_caught():
-    def careless(command):
-        command *= 2
-        return command[:2]
-
-    environment = db.FunctionEnvironment(careless, ARM.motor_space)
-    with pytest.raises(ValueError, match="read-only"):
-        db.explore(environment, db.MotorBabbling(), n=3, rng=0)
-
-
 def test_a_strategy_that_changes_its_array_later_does_not_change_the_log():
     class Reusing(db.Strategy):
         command = np.zeros(3)
@@ -130,11 +86,78 @@ def test_a_strategy_that_changes_its_array_later_does_not_change_the_log():
     assert run.commands[:, 0].tolist() == [0, 0.125, 0.25, 0.375]
 
 
-def test_trials_answered_in_any_order():
+@pytest.mark.parametrize("name", NAMES)
+def test_many_are_one_after_the_other(name):
+    lists, singles = (new_explorer(compositions()[name]) for _ in range(2))
+    order = np.random.default_rng(7)
+    for size in (1, 12, 2, 7):
+        asked = lists.ask(size)
+        alone = [singles.ask() for _ in range(size)]
+        assert [trial.path for trial in asked] == [trial.path for trial in alone]
+        places = order.permutation(size)
+        lists.tell([asked[i] for i in places], ARM([asked[i].command for i in places]))
+        for i in places:
+            singles.tell(alone[i], ARM(alone[i].command))
+        assert everything(lists) == everything(singles)
+
+
+def test_each_trial_of_many_can_be_told_by_itself():
     explorer = new_explorer(db.MotorBabbling())
-    trials = [explorer.ask() for _ in range(6)]
-    for index in (3, 0, 5, 1, 4, 2):
-        explorer.tell(trials[index], [index / 10, 0])
-    assert explorer.result().effects[:, 0].tolist() == [0.3, 0.0, 0.5, 0.1, 0.4, 0.2]
-    expected = [trials[index].command.tolist() for index in (3, 0, 5, 1, 4, 2)]
+    trials = explorer.ask(4)
+    assert [trial.number for trial in trials] == [0, 1, 2, 3]
+    explorer.tell(trials[2], [0.1, 0.2])
+    explorer.tell([trials[3], trials[0]], [[0.3, 0.4], [0.5, 0.6]])
+    expected = [trials[i].command.tolist() for i in (2, 3, 0)]
     assert explorer.history.commands.tolist() == expected
+    assert explorer.open_trials == (trials[1],)
+
+
+BAD_LISTS = {
+    "one effect too few": lambda trials: (trials, [[0.0, 0.0]] * 2),
+    "a flat effect": lambda trials: (trials, [0.0, 0.0]),
+    "an infinite effect": lambda trials: (trials, [[0, 0], [0, np.inf], [0, 0]]),
+    "three coordinates": lambda trials: (trials, [[0, 0, 0]] * 3),
+    "no effects": lambda trials: (trials, 7),
+    "a trial twice": lambda trials: ([trials[0], trials[0], trials[1]], [[0, 0]] * 3),
+    "no trial": lambda trials: ([trials[0], 7, trials[1]], [[0, 0]] * 3),
+    "a number": lambda _: (7, [[0, 0]] * 3),
+    "one made by hand": lambda trials: ([trials[0], db.Trial([0] * 3)], [[0, 0]] * 2),
+}
+
+
+@pytest.mark.parametrize("bad", BAD_LISTS.values(), ids=BAD_LISTS)
+@pytest.mark.parametrize("known", [0, 5])
+def test_a_refused_list_leaves_no_trace(bad, known):
+    explorer = new_explorer(db.Adapt([db.MotorBabbling(), db.GoalBabbling()]))
+    for _ in range(known):
+        trial = explorer.ask()
+        explorer.tell(trial, ARM(trial.command))
+    trials = explorer.ask(3)
+    before = everything(explorer)
+    with pytest.raises((TypeError, ValueError), match=r"^(effect|trial)"):
+        explorer.tell(*bad(trials))
+    assert everything(explorer) == before
+    assert explorer.open_trials == tuple(trials)
+    explorer.tell(trials, ARM([trial.command for trial in trials]))
+    assert len(explorer.history) == known + 3
+
+
+def test_an_empty_list_is_nothing():
+    explorer = new_explorer(db.MotorBabbling())
+    explorer.tell([], np.empty((0, 2)))
+    assert len(explorer.history) == 0
+
+
+def test_trials_asked_for_before_a_bad_command_are_under_way():
+    class Beyond(db.Strategy):
+        asked = 0
+
+        def propose(self, history, rng):
+            self.asked += 1
+            return history.motor_space.sample(rng) * (9 if self.asked == 3 else 1)
+
+    explorer = new_explorer(db.Mixture([Beyond()]))
+    with pytest.raises(ValueError, match=r"command\[0\] must be .* path \(0,\)"):
+        explorer.ask(30)
+    assert [trial.number for trial in explorer.open_trials] == [0, 1]
+    assert len(explorer.history) == 0

@@ -107,25 +107,6 @@ def test_commands_that_were_not_kept_are_missed_by_name(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("bad", [None, [np.nan, 0], [0], "ab", [[0, 0]]], ids=str)
-def test_what_is_no_effect_leaves_the_trial_open(bad):
-    calls = []
-
-    def black_box(command):
-        calls.append(1)
-        return ARM(command) if len(calls) < 8 else bad
-
-    environment = db.FunctionEnvironment(black_box, ARM.motor_space, ARM.sensory_space)
-    found = []
-    for engine in ENGINES:
-        calls.clear()
-        with pytest.raises((TypeError, ValueError), match="effect") as caught:
-            db.explore(environment, ADAPT, 60, rng=0, engine=engine)
-        found.append((str(caught.value), everything(caught.value.explorer)))
-        assert len(caught.value.explorer.open_trials) == 1
-    assert found[0] == found[1]
-
-
 def test_it_may_draw_from_the_same_generator():
     rngs = twins(np.random.PCG64)
     runs = []

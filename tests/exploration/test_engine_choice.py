@@ -13,6 +13,7 @@ from divbandit.exploration import drivers
 from tests.exploration.refusals import ARM, ENGINES, Mine, N, assert_refused
 from tests.exploration.sameness import differences
 from tests.generators import state, twins
+from tests.measures.every import Furthest
 
 RMB, RGB = db.MotorBabbling(), db.GoalBabbling(0.05)
 
@@ -72,30 +73,14 @@ class Newest:
 
 
 class Far:
-    """A measure, how far all effects are from the origin; and a reward, how far the newest is."""
-
-    largest_gain = 1.0
+    """A reward: how far the newest effect is from the origin."""
 
     def start(self, dim):
-        self.dim, self.measure, self.n = dim, 0.0, 0
+        del dim
         return self
 
-    def gain(self, effects):
-        return np.linalg.norm(effects, axis=-1) if np.ndim(effects) > 1 else np.hypot(*effects)
-
-    def add(self, effect):
-        self.measure, self.n = self.measure + self.gain(effect), self.n + 1
-        return float(self.gain(effect))
-
-    def extend(self, effects):
-        return np.array([self.add(effect) for effect in effects])
-
-    def __len__(self):
-        return self.n
-
     def largest(self, dim):
-        del dim
-        return 1.0
+        return 1.0 + 0 * dim
 
     def of(self, trial, effect, history):
         del trial, history
@@ -147,9 +132,9 @@ STRATEGIES = {
     ),
     "a reward": (db.Adapt([RMB, RGB], reward=Far()), "strategy.reward", "Far"),
     "a measure": (
-        bandit(tau=None, reward=bandits.Gain(Far())),
+        bandit(tau=None, reward=bandits.Gain(Furthest())),
         "strategy.reward.measure",
-        "Far",
+        "Furthest",
     ),
     "an estimator": (bandit(estimator=Newest()), "strategy.estimator", "Newest"),
     "a policy": (

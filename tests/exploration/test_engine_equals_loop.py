@@ -6,12 +6,12 @@ from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
 import divbandit as db
+from divbandit.bandits import UCB, CompetenceProgress, WholePast
 from tests.compositions import bandits, composed
-from tests.exploration.chosen_stream import BELOW_ONE, MOST, stream
 from tests.exploration.random_compositions import compositions as random_compositions
 from tests.exploration.random_environments import environments
 from tests.exploration.sameness import differences
-from tests.generators import BIT_GENERATORS, state, twins
+from tests.generators import BIT_GENERATORS, MOST, scripted, state, twins
 
 RMB, RGB = db.MotorBabbling, db.GoalBabbling
 
@@ -59,7 +59,7 @@ def test_any_composition_in_any_environment(data):
     assert_same(environment, strategy, data.draw(st.integers(1, 120)), rngs)
 
 
-EDGES = st.sampled_from([0.0, 2.0**-53, 0.25, 0.5, 1 - 2.0**-52, BELOW_ONE])
+EDGES = st.sampled_from([0.0, 2.0**-53, 0.25, 0.5, 1 - 2.0**-52, 1 - 2.0**-53])
 DRAWS = st.lists(
     st.one_of(EDGES, EDGES, st.integers(0, 2**53 - 1).map(lambda k: k * 2.0**-53)), min_size=1
 )
@@ -70,7 +70,7 @@ DRAWS = st.lists(
 def test_any_draws(draws, joints, strategy):
     """Also those that come once in 2**53 times: what lies on an edge falls to the same side."""
     draws = (draws * MOST)[:MOST]
-    rngs = stream(draws), stream(draws)
+    rngs = scripted(*draws), scripted(*draws)
     assert [rng.random() for rng in rngs] == [draws[0]] * 2
     assert_same(db.PlanarArm(joints), strategy, 60, rngs)
 
@@ -98,12 +98,9 @@ def shared_adapt():
 def progress_twice():
     """Return bandits that are paid the same progress, of which each goal counts for its own."""
     inner = db.Bandit(
-        [RGB(0.5), RGB(0.01)],
-        reward=db.bandits.CompetenceProgress(),
-        estimator=db.bandits.WholePast(),
-        policy=db.bandits.UCB(),
+        [RGB(0.5), RGB(0.01)], reward=CompetenceProgress(), estimator=WholePast(), policy=UCB()
     )
-    return db.Adapt([inner, RGB(0.05), inner], reward=db.bandits.CompetenceProgress(), window=5)
+    return db.Adapt([inner, RGB(0.05), inner], reward=CompetenceProgress(), window=5)
 
 
 def ties():
@@ -127,15 +124,6 @@ def test_one_exploration_after_another_from_one_generator(bit_generator):
         assert_same(db.PlanarArm(3), adapt, n, rngs)
         assert_same(db.PlanarArm(3), adapt, n, rngs[::-1])
         assert rngs[0].integers(2**32, dtype=np.uint32) == rngs[1].integers(2**32, dtype=np.uint32)
-
-
-@pytest.mark.parametrize("seed", [0, 2**200, np.int64(7), np.random.SeedSequence(5)])
-def test_any_seed(seed):
-    runs = [
-        db.explore(db.PlanarArm(3), RMB(), 50, rng=seed, engine=engine)
-        for engine in ("python", "rust")
-    ]
-    assert differences(*runs) == []
 
 
 @pytest.mark.parametrize("engine", ["python", "rust"])

@@ -111,6 +111,8 @@ ON_THE_WAY = {
     "an infinite effect": (lambda: Failing(20, [0, np.inf]), ADAPT, r"effect\[1\] must be finite"),
     "a long effect": (lambda: Failing(20, [0, 1, 2]), ADAPT, r"effect must have shape \(2,\)"),
     "no effect": (lambda: Failing(20, None), ADAPT, "effect must be"),
+    "text as effect": (lambda: Failing(20, "ab"), ADAPT, "effect must be"),
+    "a row of effects": (lambda: Failing(7, [[0, 0]]), ADAPT, "effect must have shape"),
     "an effect beyond any cell": (
         lambda: Failing(20, [0, 1e300]),
         db.Adapt([RMB, RGB], reward=Gain(GridCoverage(1e-9))),
@@ -129,6 +131,7 @@ def test_what_goes_wrong_on_the_way_is_the_same_for_all_engines(what, tmp_path):
         with pytest.raises((TypeError, ValueError), match=text) as caught:
             db.explore(make(), strategy, 3000, rng=rng, engine=engine)
         explorer = caught.value.explorer
+        assert len(explorer.open_trials) <= 1
         explorer.save(tmp_path / "run")
         again = db.Explorer.load(tmp_path / "run")
         assert everything(again) == everything(explorer)

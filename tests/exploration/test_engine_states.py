@@ -11,7 +11,9 @@ from numpy.testing import assert_array_equal
 import divbandit as db
 from divbandit._core import Bounds, Engine, Journal, Reward
 from divbandit._core import History as Log
+from divbandit.bandits import CompetenceProgress, Gain
 from divbandit.exploration.replay import RUN, events_of
+from divbandit.measures import GridCoverage
 
 BOX = db.Box([0.0], [1.0])
 PLANE = db.FunctionEnvironment(lambda command: [command[0], 2.0], motor_space=BOX)
@@ -66,8 +68,8 @@ def test_an_environment_cannot_ask_or_tell_the_engine_that_calls_it() -> None:
 
 def test_an_effect_that_is_refused_leaves_its_trial_under_way() -> None:
     log = Log(Bounds([0.0], [1.0]), None)
-    measure = db.measures.GridCoverage((0.1, 0.1))
-    bandit = db.bandits.ucb1([db.MotorBabbling()], reward=db.bandits.Gain(measure))
+    measure = GridCoverage((0.1, 0.1))
+    bandit = db.bandits.ucb1([db.MotorBabbling()], reward=Gain(measure))
     engine, journal = Engine(bandit, log), Journal()
     trial = engine.ask(log, journal, np.random.default_rng(0))
     for wrong in ([1.0], [np.nan, 0.0], []):
@@ -78,11 +80,7 @@ def test_an_effect_that_is_refused_leaves_its_trial_under_way() -> None:
     assert (len(log), engine.estimates) == (1, (1.0,))
 
 
-@pytest.mark.parametrize(
-    "reward",
-    [db.bandits.Gain(db.measures.GridCoverage(0.1)), db.bandits.CompetenceProgress()],
-    ids=repr,
-)
+@pytest.mark.parametrize("reward", [Gain(GridCoverage(0.1)), CompetenceProgress()], ids=repr)
 def test_a_reward_refuses_a_history_that_is_not_its_own(reward: Any) -> None:
     trial = db.Trial([0.5], goal=[0.0, 0.0])
     history = db.History(db.Box([0], [1]), db.Box([0, 0], [1, 1]))
@@ -113,8 +111,8 @@ def test_estimates_of_another_number_are_refused() -> None:
 
 def test_engines_agree_where_a_nested_bandit_cannot_reward() -> None:
     """Neither bandit learns from the effect, which the inner one could reward."""
-    fine = db.bandits.Gain(db.measures.GridCoverage(1e-3))
-    coarse = db.bandits.Gain(db.measures.GridCoverage(1.0))
+    fine = Gain(GridCoverage(1e-3))
+    coarse = Gain(GridCoverage(1.0))
     effects = iter([0.0, 1e307] * 2)
     environment = db.FunctionEnvironment(
         lambda _: [next(effects)], motor_space=BOX, sensory_space=BOX

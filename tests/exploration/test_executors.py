@@ -111,10 +111,7 @@ def test_evaluations_that_raise_are_survived(in_flight):
     assert (run.commands[:, 0] <= 1).all()
     assert (run.commands[:, 0] > -2).all()
     reasons = {failure.reason for failure in run.failures}
-    assert reasons == {
-        "RuntimeError: fell over",
-        "ValueError: effect[0] must be finite, got NaN",
-    }
+    assert reasons == {"RuntimeError: fell over", "ValueError: effect[0] must be finite, got NaN"}
     for failure in run.failures:
         assert failure.command[0] > 1 or failure.command[0] <= -2
 

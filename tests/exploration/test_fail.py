@@ -1,10 +1,8 @@
 """Trials that fail: the budget is spent, nothing is rewarded, the log tells."""
 
-import numpy as np
 import pytest
 
 import divbandit as db
-from tests.compositions import NAMES, compositions
 
 ARM = db.PlanarArm(4)
 
@@ -58,20 +56,6 @@ def test_one_that_always_fails_is_left_alone():
     assert asked[1] < 75
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_every_strategy_goes_on(name):
-    explorer = new_explorer(compositions()[name])
-    chance = np.random.default_rng(1)
-    for _ in range(60):
-        trial = explorer.ask()
-        assert ARM.motor_space.contains(trial.command)
-        if chance.random() < 0.4:
-            explorer.fail(trial, "fell over")
-        else:
-            explorer.tell(trial, ARM(trial.command))
-    assert len(explorer.history) + len(explorer.history.failures) == 60
-
-
 def test_a_strategy_is_told_of_its_own_failures_alone():
     class Counting(db.Strategy):
         def __init__(self):
@@ -93,16 +77,6 @@ def test_a_strategy_is_told_of_its_own_failures_alone():
     found = {(0,): outer.failed}
     found |= {(1, i): part.failed for i, part in enumerate(inner.strategies)}
     assert found == expected
-
-
-@pytest.mark.parametrize(("trial", "reason"), [(7, "x"), (None, None), ("mine", 7), ("mine", None)])
-def test_bad_calls_leave_no_trace(trial, reason):
-    explorer = new_explorer(db.MotorBabbling())
-    mine = explorer.ask()
-    with pytest.raises(TypeError, match=r"^(trial|reason) must be"):
-        explorer.fail(mine if trial == "mine" else trial, reason)
-    assert explorer.history.failures == ()
-    assert explorer.open_trials == (mine,)
 
 
 def test_failures_are_saved_with_an_exploration(tmp_path):

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.adapters import OptunaSampler, RibsEmitter
 from divbandit.exploration.blocks import packed, unpacked
-from tests.compositions import NAMES, built_in, compositions
+from tests.compositions import NAMES, adapted, built_in, compositions
 from tests.exploration.sameness import everything
 
 ARM = db.PlanarArm(4)
@@ -53,14 +54,18 @@ def test_it_goes_on_as_it_would_have(name, tmp_path):
     assert everything(thrice) == everything(explorer)
 
 
-@pytest.mark.parametrize("name", built_in())
+#: Adapters with plain arguments are in the file as well.
+PLAIN = {"adapters": db.Mixture([RibsEmitter("line", cells=7), OptunaSampler()])}
+
+
+@pytest.mark.parametrize("name", [*built_in(), *PLAIN])
 def test_built_in_parts_need_not_be_given(name, tmp_path):
-    strategy = built_in()[name]
+    strategy = (built_in() | PLAIN)[name]
     explorer = new_explorer(strategy)
     live(explorer, np.random.default_rng(1), 20)
     explorer.save(tmp_path / "run")
     again = db.Explorer.load(tmp_path / "run")
-    assert again.strategy == strategy
+    assert repr(again) == repr(explorer)
     assert everything(again) == everything(explorer)
 
 
@@ -121,6 +126,15 @@ def test_a_user_defined_strategy_must_be_given_and_learns_all_again(tmp_path):
     again = db.Explorer.load(tmp_path / "run", db.Adapt([Learning(), db.GoalBabbling()]))
     assert again.strategy.strategies[0].gains == explorer.strategy.strategies[0].gains
     assert everything(again) == everything(explorer)
+
+
+@pytest.mark.parametrize(
+    "name", ["bandit by a policy of MABWiser", "evolution, of Optuna", "adapt of other libraries"]
+)
+def test_what_belongs_to_another_library_must_be_given(name, tmp_path):
+    new_explorer(adapted()[name]).save(tmp_path / "run")
+    with pytest.raises(ValueError, match="strategy must be given"):
+        db.Explorer.load(tmp_path / "run")
 
 
 def test_a_proposal_that_was_refused_is_made_again(tmp_path):

@@ -19,10 +19,6 @@ def explored(rng, n=N):
     return bits(db.explore(ARM, ADAPT, n=n, rng=rng))
 
 
-def test_run_twice():
-    assert explored(5) == explored(5)
-
-
 def test_seeds_differ():
     assert len({explored(seed)[0] for seed in range(20)}) == 20
 
@@ -52,14 +48,6 @@ def test_a_longer_run_begins_like_a_shorter_one():
     short, long = (db.explore(ARM, ADAPT, n=n, rng=1) for n in (100, 200))
     assert long.commands[:100].tobytes() == short.commands.tobytes()
     assert long.estimates[:100].tobytes() == short.estimates.tobytes()
-
-
-def test_ask_and_tell_is_what_explore_does():
-    explorer = db.Explorer(ADAPT, ARM.motor_space, ARM.sensory_space, rng=2)
-    for _ in range(N):
-        trial = explorer.ask()
-        explorer.tell(trial, ARM(trial.command))
-    assert bits(explorer.result()) == explored(2)
 
 
 def test_ask_and_tell_accepts_what_any_lab_sends_back():
@@ -100,16 +88,3 @@ def test_a_result_half_way_does_not_disturb():
             half_way.commands[:] = 0
     assert bits(explorer.result()) == explored(2)
     assert len(half_way) == 251
-
-
-def test_the_same_through_any_environment_that_is_the_arm():
-    class Mine:
-        motor_space, sensory_space = ARM.motor_space, ARM.sensory_space
-
-        def __call__(self, command):
-            return ARM(command).tolist()
-
-    wrapped = db.FunctionEnvironment(ARM, ARM.motor_space, ARM.sensory_space)
-    expected = explored(3)
-    for environment in (Mine(), wrapped):
-        assert bits(db.explore(environment, ADAPT, n=N, rng=3)) == expected

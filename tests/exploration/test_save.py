@@ -56,11 +56,6 @@ def test_nothing_told_yet(tmp_path):
     assert bits(db.Exploration.load(tmp_path / "run")) == bits(run)
 
 
-def test_the_name_is_used_as_it_is(tmp_path):
-    make_run().save(str(tmp_path / "no ending"))
-    assert [path.name for path in tmp_path.iterdir()] == ["no ending"]
-
-
 def test_nothing_is_pickled(tmp_path):
     make_run().save(tmp_path / "run.npz")
     with np.load(tmp_path / "run.npz", allow_pickle=False) as saved:

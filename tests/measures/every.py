@@ -12,17 +12,15 @@ from tests.reference import measures as reference
 def started():
     """Return {name: a running measure of no effects}."""
     return {
-        "coverage": Coverage(0.3),
         "coverage, one dimension": Coverage(0.1, dim=1),
         "coverage, three dimensions": Coverage(0.4, dim=3),
-        "coverage, four dimensions": Coverage(0.8, dim=4, accuracy=0.01, rng=0),
     } | {name: measure.start(dim) for name, (measure, dim) in VALUES.items()}
 
 
 #: Each of the values, and the dimension in which it is tried.
 VALUES = {
     "balls": (BallCoverage(0.3), 2),
-    "balls, four dimensions": (BallCoverage(0.8, accuracy=0.01), 4),
+    "balls, four dimensions": (BallCoverage(0.8, accuracy=0.05), 4),
     "grid": (GridCoverage(0.25), 2),
     "grid, edges and origin": (GridCoverage([0.25, 0.5], origin=[0.1, -3]), 2),
     "grid, one dimension": (GridCoverage(0.25), 1),
@@ -63,3 +61,27 @@ COPIES = {
     "deepcopy": copy.deepcopy,
     "pickle": lambda value: pickle.loads(pickle.dumps(value)),  # noqa: S301
 }
+
+
+class Furthest:
+    """How far the farthest effect is from 0: a user's measure, which starts itself."""
+
+    largest_gain = 0.0
+
+    def start(self, dim):
+        self.dim, self.measure, self.count = dim, 0.0, 0
+        return self
+
+    def gain(self, effect):
+        return max(self.measure, float(np.linalg.norm(effect))) - self.measure
+
+    def add(self, effect):
+        gain = self.gain(effect)
+        self.measure, self.count = self.measure + gain, self.count + 1
+        return gain
+
+    def extend(self, effects):
+        return np.array([self.add(effect) for effect in effects])
+
+    def __len__(self):
+        return self.count

@@ -1,9 +1,11 @@
 """The coverage of few effects: known areas, both oracles, and where discs barely touch."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
+import shapely
 
 import divbandit as db
 from tests.reference.families import FAMILIES, family
@@ -28,13 +30,6 @@ def test_second_disc_gains_all_but_the_lens(distance):
     cov = db.Coverage(1.0)
     assert cov.add([0.0, 0.0]) == BALL
     assert cov.add([distance, 0.0]) == pytest.approx(BALL - lens(distance), abs=1e-14)
-
-
-@pytest.mark.parametrize("distance", [2.0, math.nextafter(2, 3), 3.0, 1e100, 1e300])
-def test_discs_apart_gain_all(distance):
-    cov = db.Coverage(1.0)
-    cov.add([0.0, 0.0])
-    assert cov.add([0.0, distance]) == BALL
 
 
 def test_enclosed_effect_gains_nothing_and_a_hole_is_filled_exactly():
@@ -76,3 +71,26 @@ def test_area_scales_with_the_square_of_the_radius(tau):
 def test_effects_beyond_all_integers():
     far = [(1e300, -1e300), (-1e300, 1e300), (0, 0), (1e300, -1e300)]
     assert db.Coverage(1.0).extend(far).tolist() == [BALL, BALL, BALL, 0]
+
+
+SIDES = (16, 32, 64, 128)  # a quarter circle's
+
+
+def polygon_area(effects, tau, sides):
+    discs = shapely.buffer(shapely.points(effects), tau, quad_segs=sides)
+    return shapely.union_all(discs).area
+
+
+@pytest.mark.parametrize(
+    ("strategy", "tau"),
+    [(db.MotorBabbling(), 0.05), (db.GoalBabbling(0.05), 0.1), (db.GoalBabbling(0.001), 0.02)],
+    ids=repr,
+)
+def test_inscribed_polygons_approach_it_quadratically(strategy, tau):
+    effects = db.explore(db.PlanarArm(20), strategy, n=200, rng=0).effects
+    exact = db.coverage(effects, tau)
+    errors = [exact - polygon_area(effects, tau, sides) for sides in SIDES]
+    assert errors[-1] > 0
+    assert errors[-1] < 1e-4 * exact
+    for coarse, fine in pairwise(errors):
+        assert coarse / fine == pytest.approx(4, rel=0.2)

@@ -60,10 +60,3 @@ def test_archived_effects(name, tau):
 @pytest.mark.parametrize("name", GENERATED)
 def test_generated_effects(name, tau):
     check(generated(name), tau)
-
-
-def test_coverage_of_an_exploration_step_by_step():
-    run = db.explore(db.PlanarArm(20), db.GoalBabbling(0.05), n=300, rng=1)
-    covered = run.coverage(0.05)
-    for n in (1, 2, 10, 100, 300):
-        assert covered[n - 1] == pytest.approx(union_area(run.effects[:n], 0.05), rel=1e-12)

@@ -130,11 +130,6 @@ def saved(request, tmp_path_factory):
     return request.param, path.read_bytes()
 
 
-@pytest.mark.parametrize("share", [0, 0.001, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 0.999])
-def test_truncated(share, saved, tmp_path):
-    refused(tmp_path / "cov", saved[1][: int(share * len(saved[1]))])
-
-
 @pytest.mark.parametrize("flipped", [0xFF, 0x01, 0x10])
 def test_damaged_bytes_are_refused_or_harmless(flipped, saved, tmp_path):
     path, content = tmp_path / "cov", saved[1]

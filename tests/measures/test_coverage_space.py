@@ -26,12 +26,6 @@ def turned(rng):
 
 
 @pytest.mark.parametrize("tau", TAUS)
-def test_one_ball(tau):
-    assert db.coverage([[3.0, -4.0, 5.0]], tau) == pytest.approx(BALL * tau**3, rel=1e-15)
-    assert db.coverage([[0.1, 0.2, 0.3]] * 3, tau) == db.Coverage(tau, dim=3).largest_gain
-
-
-@pytest.mark.parametrize("tau", TAUS)
 @pytest.mark.parametrize("distance", [1e-9, 1e-3, 0.3, 1.0, 1.7, 1.999, 2 - 1e-9])
 def test_second_ball_gains_all_but_the_lens(distance, tau):
     rng = np.random.default_rng(0)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from divbandit.measures import Entropy, GridCoverage
+from divbandit.measures import Entropy
 from tests.reference import measures as reference
 
 
@@ -101,16 +101,6 @@ def test_one_outlier_among_many():
     assert abs(entropy.measure - entropy_of([100_000, 1])) <= rounding(100_001)
 
 
-def test_cells_are_those_of_grid_coverage():
-    effects = np.random.default_rng(1).normal(size=(300, 3))
-    grid = GridCoverage([0.5, 1.0, 0.1], origin=[0, 0.3, 0]).start(3)
-    entropy = Entropy([0.5, 1.0, 0.1], origin=[0, 0.3, 0]).start(3)
-    new = grid.extend(effects)
-    gains = entropy.extend(effects)
-    # Most cells are occupied by one effect: a new one raises the entropy, an old one lowers it.
-    assert ((gains > 0) == (new > 0))[1:].all()
-
-
 def test_too_many_cells_away():
     entropy = Entropy(1e-10).start(2)
     entropy.extend([[0.0, 0.0], [1.0, 1.0]])
@@ -119,26 +109,12 @@ def test_too_many_cells_away():
     assert (len(entropy), entropy.measure) == (2, math.log(2))
 
 
-@pytest.mark.parametrize(
-    ("arguments", "error", "message"),
-    [
-        ({"cell": 0.0}, ValueError, "cell must be positive, got 0.0"),
-        ({"cell": [1.0, math.nan]}, ValueError, r"cell\[1\] must be finite, got NaN"),
-        ({"cell": 1.0, "origin": False}, TypeError, "origin must be a number, got bool"),
-    ],
-)
-def test_a_grid_says_what_is_wrong_with_it(arguments, error, message):
-    with pytest.raises(error, match=f"^{message}$"):
-        Entropy(**arguments)
-
-
 def test_a_dimension_that_does_not_fit():
     with pytest.raises(ValueError, match=r"^cell must have length 1, got 2$"):
         Entropy([1.0, 2.0]).start(1)
 
 
 def test_says_what_it_is():
-    assert repr(Entropy(0.5, origin=[1, 2])) == "Entropy(0.5, origin=[1.0, 2.0])"
     entropy = Entropy(0.5).start(2)
     entropy.extend([[0, 0], [0, 0]])
     assert repr(entropy) == "<Entropy(0.5) of 2 effects in R^2, measure=0.0>"

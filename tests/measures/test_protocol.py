@@ -20,7 +20,7 @@ from divbandit.measures import (
     Sparseness,
 )
 from divbandit.measures.start import start_measure
-from tests.measures.every import COPIES, NAMES, VALUES, clustered, specified, started
+from tests.measures.every import NAMES, VALUES, Furthest, clustered, specified, started
 
 # Multiples of a quarter meet borders of cells and each other; others lie anywhere.
 coordinate = st.integers(-8, 8).map(lambda k: k / 4) | st.floats(-2, 2)
@@ -162,58 +162,6 @@ def test_the_core_measures_as_what_is_started(name):
     assert (running.measure, len(running)) == (measure.measure, len(measure))
 
 
-@every_value
-def test_starts_each_time_with_nothing(name):
-    value, dim = VALUES[name]
-    points = clustered(dim)
-    first = value.start(dim).extend(points)
-    assert value.start(dim).extend(points).tolist() == first.tolist()
-
-
-@every_value
-@pytest.mark.parametrize("way", COPIES)
-def test_copies_are_equal_and_start_alike(name, way):
-    value, dim = VALUES[name]
-    other = COPIES[way](value)
-    assert other == value
-    assert hash(other) == hash(value)
-    assert repr(other) == repr(value)
-    points = clustered(dim)
-    assert other.start(dim).extend(points).tolist() == value.start(dim).extend(points).tolist()
-
-
-@every_value
-def test_repr_can_be_evaluated(name):
-    value, _ = VALUES[name]
-    assert eval(repr(value)) == value  # noqa: S307 - its own words
-
-
-def test_values_differ_by_their_fields():
-    assert len({value for value, _ in VALUES.values()}) == len(VALUES) - 1  # one is there twice
-    assert GridCoverage(0.25) != Entropy(0.25)
-    assert GridCoverage(1) == GridCoverage(np.float64(1.0))
-    assert GridCoverage([1, 2]) == GridCoverage(np.array([1.0, 2.0]))
-
-
-@every_value
-def test_a_value_cannot_be_changed(name):
-    value, _ = VALUES[name]
-    with pytest.raises(AttributeError):
-        value.tau = 0.5
-    with pytest.raises(AttributeError):
-        value.cell = 0.5
-
-
-@every_value
-@pytest.mark.parametrize(
-    ("dim", "error"), [(0, ValueError), (-1, ValueError), (2.0, TypeError), (True, TypeError)]
-)
-def test_a_dimension_is_a_whole_number_from_1_on(name, dim, error):
-    value, _ = VALUES[name]
-    with pytest.raises(error, match=r"^dim must be "):
-        value.start(dim)
-
-
 @pytest.mark.parametrize("kind", [BallCoverage, GridCoverage, Sparseness, Entropy])
 def test_a_class_that_derives_starts_what_its_base_would(kind):
     class Mine(kind):
@@ -303,30 +251,6 @@ def test_other_threads_go_on_while_many_effects_are_added():
     assert len(measure) == len(points)
 
 
-class Furthest:
-    """How far the farthest effect is from 0: a user's measure, which starts itself."""
-
-    largest_gain = 0.0
-
-    def start(self, dim):
-        self.dim, self.measure, self.count = dim, 0.0, 0
-        return self
-
-    def gain(self, effect):
-        return max(self.measure, float(np.linalg.norm(effect))) - self.measure
-
-    def add(self, effect):
-        gain = self.gain(effect)
-        self.measure, self.count = self.measure + gain, self.count + 1
-        return gain
-
-    def extend(self, effects):
-        return np.array([self.add(effect) for effect in effects])
-
-    def __len__(self):
-        return self.count
-
-
 def test_a_users_measure_is_copied_before_it_is_started():
     mine = Furthest()
     one, other = start_measure("measure", mine, 2), start_measure("measure", mine, 3)
@@ -368,9 +292,9 @@ def filled_one():
     return running
 
 
-def bounded_by(largest):
+def bounded_by(largest, dim=2):
     running = Furthest().start(2)
-    running.largest_gain = largest
+    running.largest_gain, running.dim = largest, dim
     return running
 
 
@@ -380,9 +304,13 @@ def bounded_by(largest):
         (None, TypeError, "measure.start must return a RunningMeasure, got NoneType"),
         (Furthest, TypeError, "measure.start must return a RunningMeasure, got a class"),
         (filled_one(), ValueError, "measure.start must return an empty one, got 1 effects"),
-        (Furthest().start(3), ValueError, "measure.start must return one of dim 2, got 3"),
+        (bounded_by(1.0, 3), ValueError, "measure.start must return one of dim 2, got 3"),
+        (bounded_by(1.0, 0), ValueError, "measure.start must return one of dim 2, got 0"),
+        (bounded_by(1.0, 2.5), (TypeError, ValueError), "measure.start must return one of dim 2"),
         (bounded_by(-1.0), ValueError, "measure.largest_gain must be a finite number in"),
         (bounded_by(math.inf), ValueError, "measure.largest_gain must be a finite number in"),
+        (bounded_by(math.nan), ValueError, "measure.largest_gain must be a finite number in"),
+        (bounded_by("1"), TypeError, "measure.largest_gain must be a number, got str"),
         (bounded_by(None), TypeError, "measure.largest_gain must be a number, got NoneType"),
     ],
 )

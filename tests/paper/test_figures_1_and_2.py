@@ -44,8 +44,3 @@ def test_figure_2_has_a_panel_for_each_perturbation():
         f"goal babbling, d = {d}" for d in setting.PERTURBATIONS
     ]
     plt.close(figure)
-
-
-def test_the_number_of_jobs_changes_nothing():
-    for one, two in zip(figure2.run(0, n=50, jobs=1), figure2.run(0, n=50, jobs=2), strict=True):
-        np.testing.assert_array_equal(one.commands, two.commands)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.environments import Disc, Polygon, Rectangle, Wall
 from tests.environments.random_scenes import scene
 from tests.reference import contact
 
@@ -13,17 +14,14 @@ UPRIGHT = [np.pi / 2, 0.0]
 @pytest.mark.parametrize(
     ("obstacle", "apart"),
     [
-        (db.environments.Disc([0.6, 0.5], 0.1), 0.45),
-        (db.environments.Disc([0.0, 1.6], 0.1), 0.45),
-        (db.environments.Rectangle([0.3, 0.1], [0.9, 0.6]), 0.25),
-        (
-            db.environments.Polygon([[0.3, 0.1], [0.9, 0.1], [0.9, 0.9], [0.3, 0.9], [0.5, 0.5]]),
-            0.25,
-        ),
-        (db.environments.Wall([-2, 1.3], [2, 1.3], thickness=0.2), 0.15),
-        (db.environments.Wall([-0.5, 0.5], [-1, 0.5]), 0.45),
-        (db.environments.Wall([-0.5, 0.5], [0.5, 0.5]), -0.05),
-        (db.environments.Disc([0.1, 0.5], 0.1), -0.05),
+        (Disc([0.6, 0.5], 0.1), 0.45),
+        (Disc([0.0, 1.6], 0.1), 0.45),
+        (Rectangle([0.3, 0.1], [0.9, 0.6]), 0.25),
+        (Polygon([[0.3, 0.1], [0.9, 0.1], [0.9, 0.9], [0.3, 0.9], [0.5, 0.5]]), 0.25),
+        (Wall([-2, 1.3], [2, 1.3], thickness=0.2), 0.15),
+        (Wall([-0.5, 0.5], [-1, 0.5]), 0.45),
+        (Wall([-0.5, 0.5], [0.5, 0.5]), -0.05),
+        (Disc([0.1, 0.5], 0.1), -0.05),
     ],
 )
 def test_clearances_known_on_paper(obstacle, apart):

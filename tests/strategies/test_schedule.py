@@ -31,17 +31,6 @@ def test_boundaries(steps, expected):
     assert choices(db.Schedule([(count, RMB) for count in steps]), n=7) == expected
 
 
-def test_figure_2_babbles_in_m_first_and_goals_afterwards():
-    schedule = db.Schedule([(10, RMB), (None, db.GoalBabbling(0.05))])
-    explorer = db.Explorer(schedule, ARM.motor_space, ARM.sensory_space, rng=0)
-    has_goal = []
-    for _ in range(30):
-        trial = explorer.ask()
-        has_goal.append(trial.goal is not None)
-        explorer.tell(trial, ARM(trial.command))
-    assert has_goal == [False] * 10 + [True] * 20
-
-
 def test_a_schedule_in_a_schedule():
     inner = db.Schedule([(2, RMB), (None, RMB)])
     outer = db.Schedule([(1, RMB), (4, inner), (None, inner)])
@@ -67,8 +56,3 @@ def test_choosing_draws_nothing():
     running = Starter(history)(schedule)
     assert [running.choose(history, rng) for _ in range(3)] == [0, 1, 1]
     assert rng.random() == plain.random()
-
-
-def test_a_schedule_starts_again_in_each_exploration():
-    schedule = db.Schedule([(2, RMB), (None, RMB)])
-    assert choices(schedule, n=4) == choices(schedule, n=4) == [0, 0, 1, 1]

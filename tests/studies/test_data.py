@@ -37,13 +37,6 @@ def test_means_and_deviations_are_over_repetitions():
     assert (outcome.mean, outcome.deviation) == (4.0, 2.0)
 
 
-def test_the_number_of_processes_changes_nothing():
-    one, two = (outcomes(CASES, seed=1, repetitions=2, jobs=jobs) for jobs in (1, 2))
-    assert one.keys() == two.keys()
-    for name, outcome in one.items():
-        np.testing.assert_array_equal(outcome.values, two[name].values)
-
-
 def test_what_a_process_raises_is_raised():
     with pytest.raises(TypeError):
         over_processes(abs, [1, "no number", 2], jobs=2)

@@ -2,8 +2,8 @@
 
 Strategies: `RibsEmitter` (pyribs), `OptunaSampler` (Optuna), `QuasiRandomBabbling` (SciPy). A
 policy of bandits: `MabwiserPolicy` (MABWiser). A black box as an environment of Gymnasium:
-`OneStepEnv`. Each imports its library when it is first used: ``pip install 'divbandit[ribs]'``, for
-instance.
+`OneStepEnv`. A bandit over pyribs' own emitters: `RibsScheduler`. Each imports its library when it
+is first used: ``pip install 'divbandit[ribs]'``, for instance.
 """
 
 from typing import TYPE_CHECKING
@@ -12,11 +12,19 @@ from divbandit.adapters.mabwiser import MabwiserPolicy
 from divbandit.adapters.optuna import OptunaSampler
 from divbandit.adapters.quasi_random import QuasiRandomBabbling
 from divbandit.adapters.ribs import RibsEmitter
+from divbandit.adapters.ribs_scheduler import RibsScheduler
 
 if TYPE_CHECKING:
     from divbandit.adapters.gymnasium import OneStepEnv
 
-__all__ = ["MabwiserPolicy", "OneStepEnv", "OptunaSampler", "QuasiRandomBabbling", "RibsEmitter"]
+__all__ = [
+    "MabwiserPolicy",
+    "OneStepEnv",
+    "OptunaSampler",
+    "QuasiRandomBabbling",
+    "RibsEmitter",
+    "RibsScheduler",
+]
 
 
 def __getattr__(name: str) -> object:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass
+from inspect import signature
 from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
@@ -145,8 +146,15 @@ class RibsEmitter(StrategyValue):
         objective: Objective | None = None,
     ) -> None:
         library("ribs", user="RibsEmitter")
-        if not callable(emitter):
+        _check_class("emitter", emitter, "archive", "seed")
+        _check_class("archive", archive, "dim", "seed")
+        if isinstance(emitter, str):
             one_of("emitter", emitter, sorted(EMITTERS))
+        elif not callable(emitter):
+            raise TypeError(
+                "emitter must be a name, or a function of an archive and a seed that makes one, "
+                f"got {type(emitter).__name__}"
+            )
         for name, value in [("archive", archive), ("objective", objective)]:
             if value is not None and not callable(value):
                 raise TypeError(f"{name} must be callable, got {type(value).__name__}")
@@ -177,6 +185,20 @@ class RibsEmitter(StrategyValue):
     def start(self, start: Starter) -> Strategy:
         """Return the emitter under way."""
         return _Emitting(self, start.history)
+
+
+def _check_class(name: str, given: object, *arguments: str) -> None:
+    """Raise if a class is given that does not take these arguments, as those of pyribs do not."""
+    if not isinstance(given, type):
+        return
+    try:
+        signature(given).bind(*arguments)
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"{name} must be a function of {' and '.join(arguments)} that makes one, got the "
+            f"class {given.__name__}: write "
+            f"lambda {', '.join(arguments)}: {given.__name__}(..., seed=seed)"
+        ) from None
 
 
 def _emitter_of(recipe: RibsEmitter, history: History, rng: Generator) -> EmitterBase:

@@ -3,12 +3,7 @@
 import hashlib
 
 #: The arrays of a run, by what the traces call them: `estimates` were once `diversities`.
-NAMES = {
-    "commands": "commands",
-    "effects": "effects",
-    "paths": "paths",
-    "diversities": "estimates",
-}
+NAMES = {"commands": "commands", "effects": "effects", "paths": "paths", "diversities": "estimates"}
 
 
 def digest(run, following):

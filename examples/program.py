@@ -37,7 +37,8 @@ with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(4) as executor:
         words, motor_space, sensory_space, timeout=60, entry="state"
     )
     strategy = db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.1)], tau=0.2)
-    run = db.explore(pendulum, strategy, 200, rng=0, executor=executor, in_flight=4)
+    options = {"executor": executor, "in_flight": 4, "on_error": "record"}
+    run = db.explore(pendulum, strategy, 200, rng=0, **options)
 
 print(f"{len(run.effects)} effects cover {run.coverage(0.2)[-1]:.2f}")
 print(f"{len(run.failures)} failed, the last with {run.failures[-1].reason}")

@@ -9,6 +9,7 @@ from contextlib import nullcontext
 from pathlib import Path
 from types import ModuleType
 
+import matplotlib.pyplot as plt
 import pytest
 
 import divbandit as db
@@ -21,24 +22,25 @@ COVERS = re.compile(r"^(.*?) +covers (\d\.\d\d)", re.MULTILINE)
 def run(tmp_path):
     """Return a function that runs an example by name and returns what it prints.
 
-    Words in it may be replaced by others, so that it takes less time.
+    Words in it may be replaced by others, so that it takes less time. Nothing is to be on standard
+    error but what `shows` matches.
     """
 
-    def run(name, **replaced):
+    def run(name, *arguments, shows="", **replaced):
         text = (EXAMPLES / f"{name}.py").read_text(encoding="utf-8")
         for old, new in replaced.items():
             assert text.count(old) == 1
             text = text.replace(old, new)
         (tmp_path / f"{name}.py").write_text(text, encoding="utf-8")
         done = subprocess.run(  # noqa: S603
-            [sys.executable, "-W", "error", tmp_path / f"{name}.py"],
+            [sys.executable, "-W", "error", tmp_path / f"{name}.py", *arguments],
             capture_output=True,
             text=True,
             check=False,
             cwd=tmp_path,
             env={**os.environ, "TMPDIR": str(tmp_path)},
         )
-        assert (done.returncode, done.stderr) == (0, "")
+        assert (done.returncode, re.sub(shows, "", done.stderr)) == (0, "")
         return done.stdout
 
     return run
@@ -131,6 +133,23 @@ def test_program(run):
     assert int(effects) + int(failed[1]) == 200
     assert 0 < int(failed[1]) < 40
     assert 4.0 < float(area) < 36.0  # the whole box of goals has 36
+
+
+def test_gray_scott(run, tmp_path):
+    bar = r"\s*\d+%\|.*\n"
+    first = run("gray_scott", "20", "16", "50", shows=bar)
+    assert re.match(r"20 evaluations, .*distinct effects\nstrategy +use", first)
+    picture = tmp_path / "gray_scott.png"
+    assert len(plt.imread(picture)) > 500
+    picture.unlink()
+    second = run("gray_scott", "25", "16", "50", shows=bar)
+    assert second.startswith("25 evaluations")  # it has gone on
+    assert run("gray_scott", "25", "16", "50") == second  # there is nothing to do
+    assert picture.exists()
+
+
+def test_gray_scott_is_short():
+    assert len((EXAMPLES / "gray_scott.py").read_text().splitlines()) <= 40
 
 
 def test_dask_cluster(run):

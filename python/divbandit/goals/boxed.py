@@ -58,7 +58,8 @@ class BoxedGoals(Value):
             if not has_goals:
                 name = type(self).__name__
                 raise ValueError(
-                    f"goals must be given a box ({name}(box=...)): there is no sensory space"
+                    f"goals must be given a box ({name}(box=...)): there is no sensory space; give "
+                    "one to the environment, or goals=box to default_strategy"
                 )
         elif effect_dim is not None and self.box.dim != effect_dim:
             raise ValueError(

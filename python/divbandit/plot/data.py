@@ -14,14 +14,21 @@ if TYPE_CHECKING:
 
 
 def effects_of(data: Exploration | ArrayLike) -> NDArray[np.float64]:
-    """Return the effects of an exploration, or `data` itself as effects in the plane.
+    """Return the effects of an exploration, or `data` itself, as effects in the plane.
 
     Examples
     --------
     >>> effects_of([[0, 1], [2, 3]]).shape
     (2, 2)
     """
-    return shaped("data", data.effects if isinstance(data, Exploration) else data, "n", 2)
+    if not isinstance(data, Exploration):
+        return shaped("data", data, "n", 2)
+    if data.effects.shape[1] > 2:
+        raise ValueError(
+            f"data must have shape (n, 2), got {data.effects.shape}: "
+            "two coordinates of the effects are run.effects[:, :2]"
+        )
+    return shaped("data", data.effects, "n", 2)
 
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:

@@ -6,7 +6,10 @@
 from __future__ import annotations
 
 import pickle
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+from divbandit._core import as_point
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -18,36 +21,58 @@ if TYPE_CHECKING:
 
 
 class Outcome(NamedTuple):
-    """What came of an evaluation: an effect, not yet checked, or what was raised."""
+    """What came of an evaluation: an effect, or what was raised, also in words."""
 
-    effect: Any
+    effect: NDArray[np.float64] | None
     error: BaseException | None = None
+    reason: str = ""
+
+    @classmethod
+    def of(cls, error: BaseException) -> Outcome:
+        """Return the outcome of a failed evaluation."""
+        return cls(None, error, reason_of(error))
 
 
 def evaluate(
-    environment: Environment, commands: Sequence[NDArray[np.float64]], *, pickled: bool = False
+    environment: Environment,
+    commands: Sequence[NDArray[np.float64]],
+    dim: int | None = None,
+    *,
+    pickled: bool = False,
 ) -> list[Outcome]:
     """Call a black box with each of the commands; with all at once where it takes arrays.
+
+    Its effects must have `dim` numbers, if that is known. With `pickled`, outcomes can be sent to
+    another process, and Ctrl-C is one of them.
 
     Examples
     --------
     >>> import divbandit as db
-    >>> box = db.FunctionEnvironment(lambda x: 1 / x[0], db.Box([0], [1]))
-    >>> [outcome.error for outcome in evaluate(box, [[0.5], [0]])]
-    [None, ZeroDivisionError('division by zero')]
+    >>> box = db.FunctionEnvironment(lambda x: 1 / x, db.Box([0], [1]))
+    >>> [outcome.reason for outcome in evaluate(box, [np.ones(1), [0]])]
+    ['', "TypeError: unsupported operand type(s) for /: 'int' and 'list'"]
     """
-    if len(commands) > 1 and getattr(environment, "vectorized", False):
-        try:
-            return [Outcome(effect) for effect in environment.many(commands)]  # type: ignore[attr-defined]
-        except Exception:  # noqa: BLE001, S110 - which of them it was, is found one by one
-            pass
+    effects = _at_once(environment, commands)
     outcomes = []
-    for command in commands:
+    for index, command in enumerate(commands):
         try:
-            outcomes.append(Outcome(environment(command)))
-        except BaseException as error:  # noqa: BLE001, PERF203 - a black box may raise anything
-            outcomes.append(Outcome(None, portable(error) if pickled else error))
+            effect = environment(command) if effects is None else effects[index]
+            outcomes.append(Outcome(as_point("effect", effect, dim)))
+        except BaseException as error:  # noqa: PERF203 - a black box may raise anything
+            if isinstance(error, KeyboardInterrupt) and not pickled:
+                raise
+            outcome = Outcome.of(error)
+            outcomes.append(outcome._replace(error=portable(error)) if pickled else outcome)
     return outcomes
+
+
+def _at_once(environment: Environment, commands: Sequence[NDArray[np.float64]]) -> list[Any] | None:
+    """Return the effects of all commands; None if which of them fail is to be found one by one."""
+    if len(commands) > 1 and getattr(environment, "vectorized", False):
+        with suppress(Exception, SystemExit):
+            effects = list(environment.many(commands))  # type: ignore[attr-defined]
+            return effects if len(effects) == len(commands) else None
+    return None
 
 
 def portable(error: BaseException) -> BaseException:

@@ -335,9 +335,8 @@ class Explorer:
             How many evaluations, at least 1; those that fail are among them.
         jobs : int, optional
             How many worker processes evaluate. One that dies, or takes longer than `timeout`, is
-            replaced: that evaluation has failed. Needs ``pip install "divbandit[jobs]"``; the
-            environment must be picklable where processes are not forked. By default trials are
-            evaluated in this thread, one after the other.
+            replaced: that evaluation has failed. The environment must be picklable where processes
+            are not forked. By default trials are evaluated in this thread, one after the other.
         executor : concurrent.futures.Executor, optional
             Where to evaluate instead: threads, processes, a cluster's
             (``dask.distributed.Client.get_executor()``, ``mpi4py.futures.MPIPoolExecutor``).

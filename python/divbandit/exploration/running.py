@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Future, wait
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Literal
 
 from divbandit._checks import one_of, positive, whole
 from divbandit._core import as_point
@@ -25,7 +25,7 @@ from divbandit.exploration.workers import Workers
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator
     from concurrent.futures import Executor
 
     from divbandit._core import Trial
@@ -107,7 +107,8 @@ def run(explorer: Explorer, environment: Environment, n: int, options: Options) 
         loop = _Loop(explorer, environment, n, options)
         for callback in callbacks:
             loop.watchers.append(stack.enter_context(Watcher(callback, explorer, n)))
-        stack.enter_context(loop.evaluator)
+        stack.callback(loop.evaluator.close)
+        loop.evaluator.start()
         while loop.left > 0 and not loop.stopped:
             loop.advance()
         loop.evaluator.finish()
@@ -170,14 +171,16 @@ class _Loop:
         """Note that an evaluation gave an effect."""
         self._failed = 0
 
-    def failed(self, trial: Trial, error: BaseException) -> None:
+    def failed(self, trial: Trial, error: BaseException, reason: str) -> None:
         """Record that the evaluation of a trial failed, or raise what it raised."""
-        reason = reason_of(error)
+        if isinstance(error, KeyboardInterrupt):  # another process heard Ctrl-C
+            raise error
         if self._options.on_error == "raise":
+            cause = None if isinstance(error, Exception) else error
+            if cause is not None:  # not to end the program
+                error = RuntimeError(f"the environment must return an effect, got {reason}")
             _note(error, f"raised by the evaluation of the command {trial.command.tolist()}")
-            if isinstance(error, Exception):
-                raise error
-            raise RuntimeError(f"the environment must return an effect, got {reason}") from error
+            raise error from (error.__cause__ if cause is None else cause)
         self.explorer.fail(trial, reason)
         self._failed += 1
         self.made(trial)
@@ -213,25 +216,17 @@ class _Serial:
             if not still or (pending and still[0] is not pending[0]):
                 raise  # the strategy's own
             loop.count(made)
-            loop.failed(still[0], error)
+            loop.failed(still[0], error, reason_of(error))
         else:
             loop.succeeded()
             newest = pending[0] if pending else self._driver.newest
             if newest is not None:
                 loop.made(newest, len(explorer.history) - known)
 
-    def finish(self) -> None:
-        """Nothing is under way."""
+    def start(self) -> None:
+        """Nothing is to be started."""
 
-    def __enter__(self) -> None: ...
-
-    def __exit__(self, *_: object) -> None: ...
-
-
-class _Submitter(Protocol):
-    """What evaluates commands elsewhere."""
-
-    def __call__(self, commands: Sequence[Any], /) -> Future[list[Outcome]]: ...
+    finish = close = start
 
 
 class _Parallel:
@@ -241,25 +236,35 @@ class _Parallel:
         self._loop, self._environment, self._options = loop, environment, options
         self._most = options.in_flight or options.jobs or 1
         self._under_way: dict[Future[list[Outcome]], list[Trial]] = {}
-        self._stack = ExitStack()
-        self._workers: Workers | None = None
         self._left_over = list(loop.explorer.open_trials)
+        self._workers = (
+            None if options.jobs is None else Workers(environment, options.jobs, options.timeout)
+        )
 
-    def __enter__(self) -> None:
-        options, environment = self._options, self._environment
-        if options.jobs is not None:
-            self._workers = Workers(environment, options.jobs, options.timeout)
-            self._submit: _Submitter = self._stack.enter_context(self._workers).submit
-        elif options.executor is not None:
-            submit = options.executor.submit
-            self._submit = lambda commands: submit(evaluate, environment, commands, pickled=True)
-        else:
-            self._submit = lambda commands: _done(evaluate(environment, commands))
+    def start(self) -> None:
+        """Start the workers."""
+        if self._workers is not None:
+            self._workers.start()
 
-    def __exit__(self, *_: object) -> None:
+    def close(self) -> None:
+        """End the workers, and cancel what no other executor has begun."""
+        if self._workers is not None:
+            self._workers.close()
         for future in self._under_way:
             future.cancel()
-        self._stack.close()
+
+    def _submit(self, trials: list[Trial]) -> Future[list[Outcome]]:
+        commands = [trial.command for trial in trials]
+        dim = self._loop.explorer.history.effect_dim
+        if self._workers is not None:
+            return self._workers.submit(commands, dim)
+        if self._options.executor is not None:
+            return self._options.executor.submit(
+                evaluate, self._environment, commands, dim, pickled=True
+            )
+        future: Future[list[Outcome]] = Future()
+        future.set_result(evaluate(self._environment, commands, dim))
+        return future
 
     def advance(self, n: int, seconds: float) -> None:
         """Keep all workers busy, and tell what comes in."""
@@ -279,14 +284,14 @@ class _Parallel:
             for _ in range(min(self._options.batch, self._loop.left - under_way)):
                 again = self._left_over.pop(0) if self._left_over else None
                 trials.append(again or self._loop.explorer.ask())
-            self._under_way[self._submit([trial.command for trial in trials])] = trials
+            self._under_way[self._submit(trials)] = trials
             under_way += len(trials)
 
     def _receive(self, seconds: float) -> None:
         done, _ = wait(self._under_way, min(seconds, _GLANCE), FIRST_COMPLETED)
         # Those that come in together are told in the order in which they were proposed; effects
         # before failures, so that none is lost if these are raised.
-        failures: list[tuple[Trial, BaseException]] = []
+        failures: list[tuple[Trial, Outcome]] = []
         broken: BrokenExecutor | None = None
         for future in [future for future in self._under_way if future in done]:
             trials = self._under_way[future]
@@ -296,23 +301,24 @@ class _Parallel:
                 broken = error
                 continue
             for trial, outcome in zip(trials, outcomes, strict=True):
-                failure = outcome.error or self._told(trial, outcome.effect)
-                if failure is not None:
-                    failures.append((trial, failure))
+                failed = outcome if outcome.error is not None else self._told(trial, outcome)
+                if failed is not None:
+                    failures.append((trial, failed))
             del self._under_way[future]
-        for trial, failure in failures:
-            self._loop.failed(trial, failure)
+        for trial, failed in failures:
+            assert failed.error is not None  # noqa: S101 - for mypy
+            self._loop.failed(trial, failed.error, failed.reason)
         if broken is not None:
             _note(broken, "its trials are under way: explorer.run evaluates them again")
             raise broken
 
-    def _told(self, trial: Trial, effect: object) -> Exception | None:
+    def _told(self, trial: Trial, outcome: Outcome) -> Outcome | None:
         """Tell an effect, or return what is wrong with it."""
         loop, explorer = self._loop, self._loop.explorer
-        try:
-            point = as_point("effect", effect, explorer.history.effect_dim)  # type: ignore[arg-type]
-        except Exception as error:  # noqa: BLE001 - a black box may return anything
-            return error
+        try:  # how many numbers it must have may not have been known when it was asked for
+            point = as_point("effect", outcome.effect, explorer.history.effect_dim)  # type: ignore[arg-type]
+        except ValueError as error:
+            return Outcome.of(error)
         explorer.tell(trial, point)
         loop.succeeded()
         loop.made(trial)
@@ -323,15 +329,10 @@ class _Parallel:
             return future.result()
         except (BrokenExecutor, CancelledError):
             raise
-        except Exception as error:  # noqa: BLE001 - a worker is lost, or a result cannot be sent
-            lost = error if self._workers is None else self._workers.lost(error)
-            return [Outcome(None, lost)] * len(trials)
-
-
-def _done(outcomes: list[Outcome]) -> Future[list[Outcome]]:
-    future: Future[list[Outcome]] = Future()
-    future.set_result(outcomes)
-    return future
+        except Exception as error:
+            if self._workers is not None:  # none can be started
+                raise
+            return [Outcome.of(error)] * len(trials)  # a worker is lost
 
 
 def _note(error: BaseException, text: str) -> None:

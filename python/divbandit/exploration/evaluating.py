@@ -47,6 +47,7 @@ def evaluate(
 
     Examples
     --------
+    >>> import numpy as np
     >>> import divbandit as db
     >>> box = db.FunctionEnvironment(lambda x: 1 / x, db.Box([0], [1]))
     >>> [outcome.reason for outcome in evaluate(box, [np.ones(1), [0]])]

@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Iterable
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Future, wait
-from contextlib import ExitStack, contextmanager
+from concurrent.futures import BrokenExecutor, CancelledError, Future
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Literal
 
 from divbandit._checks import one_of, positive, whole
-from divbandit._core import as_point
+from divbandit._core import as_point, undisturbed
 from divbandit.callbacks.protocol import check_callback
 from divbandit.environments import Environment
 from divbandit.exploration.evaluating import Outcome, evaluate, reason_of
@@ -230,12 +231,17 @@ class _Serial:
 
 
 class _Parallel:
-    """Several trials at a time, told as their effects come in."""
+    """Several trials at a time, told as their effects come in.
+
+    Ctrl-C must not come while a lock of an executor or a future is taken: it would never be free
+    again, and the executor never end.
+    """
 
     def __init__(self, loop: _Loop, environment: Environment, options: Options) -> None:
         self._loop, self._environment, self._options = loop, environment, options
         self._most = options.in_flight or options.jobs or 1
         self._under_way: dict[Future[list[Outcome]], list[Trial]] = {}
+        self._ready: SimpleQueue[Future[list[Outcome]]] = SimpleQueue()
         self._left_over = list(loop.explorer.open_trials)
         self._workers = (
             None if options.jobs is None else Workers(environment, options.jobs, options.timeout)
@@ -251,20 +257,23 @@ class _Parallel:
         if self._workers is not None:
             self._workers.close()
         for future in self._under_way:
-            future.cancel()
+            undisturbed(future.cancel)
 
-    def _submit(self, trials: list[Trial]) -> Future[list[Outcome]]:
+    def _submit(self, trials: list[Trial]) -> None:
+        environment, executor = self._environment, self._options.executor
         commands = [trial.command for trial in trials]
         dim = self._loop.explorer.history.effect_dim
+        future: Future[list[Outcome]]
         if self._workers is not None:
-            return self._workers.submit(commands, dim)
-        if self._options.executor is not None:
-            return self._options.executor.submit(
-                evaluate, self._environment, commands, dim, pickled=True
-            )
-        future: Future[list[Outcome]] = Future()
-        future.set_result(evaluate(self._environment, commands, dim))
-        return future
+            future = undisturbed(self._workers.submit, commands, dim)
+        elif executor is not None:
+            submit = executor.submit
+            future = undisturbed(lambda: submit(evaluate, environment, commands, dim, pickled=True))
+        else:
+            future = Future()
+            future.set_result(evaluate(environment, commands, dim))
+        self._under_way[future] = trials
+        undisturbed(future.add_done_callback, self._ready.put)
 
     def advance(self, n: int, seconds: float) -> None:
         """Keep all workers busy, and tell what comes in."""
@@ -284,11 +293,15 @@ class _Parallel:
             for _ in range(min(self._options.batch, self._loop.left - under_way)):
                 again = self._left_over.pop(0) if self._left_over else None
                 trials.append(again or self._loop.explorer.ask())
-            self._under_way[self._submit(trials)] = trials
+            self._submit(trials)
             under_way += len(trials)
 
     def _receive(self, seconds: float) -> None:
-        done, _ = wait(self._under_way, min(seconds, _GLANCE), FIRST_COMPLETED)
+        done = set()
+        with suppress(Empty):
+            done.add(self._ready.get(timeout=min(seconds, _GLANCE)))
+            while True:
+                done.add(self._ready.get_nowait())
         # Those that come in together are told in the order in which they were proposed; effects
         # before failures, so that none is lost if these are raised.
         failures: list[tuple[Trial, Outcome]] = []
@@ -326,13 +339,14 @@ class _Parallel:
 
     def _outcomes(self, future: Future[list[Outcome]], trials: list[Trial]) -> list[Outcome]:
         try:
-            return future.result()
+            outcomes: list[Outcome] = undisturbed(future.result)
         except (BrokenExecutor, CancelledError):
             raise
         except Exception as error:
             if self._workers is not None:  # none can be started
                 raise
             return [Outcome.of(error)] * len(trials)  # a worker is lost
+        return outcomes
 
 
 def _note(error: BaseException, text: str) -> None:

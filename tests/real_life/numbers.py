@@ -7,6 +7,7 @@ from pathlib import Path
 
 from tests.real_life.stopped import PLACES
 from tests.real_life.test_interrupts import press, stop
+from tests.real_life.test_kills import kill
 
 
 def main():
@@ -21,6 +22,10 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             took = stop(where, 50, Path(folder))
         report(f"{where}: 50 runs ended after at most {max(took):.2f} s")
+    for jobs in (0, 2):
+        with tempfile.TemporaryDirectory() as folder:
+            kill(jobs, 30, Path(folder))
+        report(f"jobs = {jobs}: killed 30 times, nothing lost")
 
 
 def report(line):

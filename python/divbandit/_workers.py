@@ -1,45 +1,58 @@
 """Workers: processes that call a function, and are replaced when they die or take too long.
 
-Built on pebble, which watches them, and on loky, whose processes start from nothing: a script needs
-no guard, functions may be defined anywhere, and no lock of a thread is copied. Each worker leads a
-process group of its own, so that programs it has started end with it.
+They are loky's, which start from nothing: a script needs no guard, functions may be defined
+anywhere, and no lock of a thread is copied. Each of them answers a thread of its own, so that it is
+always plain which call a death has cost. It leads a process group, so that programs it has started
+end with it.
 """
 
 from __future__ import annotations
 
 import os
 import signal
-import tempfile
-from concurrent.futures import Future
-from concurrent.futures import TimeoutError as FutureTimeoutError
+from collections.abc import Callable
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 from contextlib import suppress
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from multiprocessing.connection import wait
+from queue import SimpleQueue
+from threading import Lock, Thread
+from time import monotonic, sleep
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from divbandit._core import undisturbed
 from divbandit._library import library
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from concurrent.futures import Future
+    from multiprocessing.connection import Connection
 
-    from typing_extensions import Self
-
-Argument = TypeVar("Argument")
 Result = TypeVar("Result")
 
-#: What a worker calls.
-_function: Any = None
+#: Calls the function in a worker.
+Call = Callable[..., Any]
+
+#: Seconds between looks at whether a process lives: a copy of it that it has left behind keeps its
+#: pipes open.
+_GLANCE = 0.2
+
+#: Seconds that an idle worker has to end by itself.
+_GRACE = 1.0
 
 
-class Workers(Generic[Argument, Result]):
-    """A number of worker processes that call a function; leaving the ``with`` statement ends them.
+class LostError(RuntimeError):
+    """A worker has died, or took too long; its cause says which."""
+
+
+class Workers:
+    """A number of worker processes, between `start` and `close`.
 
     Parameters
     ----------
     function : callable
-        Sent to each worker once.
+        Sent to each worker once. What it raises ends the worker.
     jobs : int
         How many there are.
-    timeout : float, optional
+    timeout : float or None
         The longest time for a call, in seconds.
     user : str
         What needs them, for messages.
@@ -47,76 +60,189 @@ class Workers(Generic[Argument, Result]):
     Raises
     ------
     ModuleNotFoundError
-        If pebble or loky are not installed.
+        If loky is not installed.
     TypeError
         If the function cannot be pickled.
     """
 
     def __init__(
-        self,
-        function: Callable[[Argument], Result],
-        jobs: int,
-        *,
-        timeout: float | None = None,
-        user: str,
+        self, function: Callable[..., Any], jobs: int, timeout: float | None, *, user: str
     ) -> None:
-        names = ("cloudpickle", "loky", "pebble")
-        cloudpickle, loky, pebble = (library(name, user=user, extra="jobs") for name in names)
+        context = library("loky", user=user, extra="jobs").backend.get_context("loky")
         try:
-            sent = cloudpickle.dumps(function)
+            sent = library("cloudpickle", user=user, extra="jobs").dumps(function)
         except Exception as error:  # a user's object may raise anything
             raise TypeError(f"{user} needs what can be pickled, got: {error}") from error
-        self._timeout = timeout
-        self._expired: type[Exception] = pebble.ProcessExpired
-        # Each worker leaves its number here, which is also that of its group.
-        self._folder = tempfile.TemporaryDirectory(prefix="divbandit-")
-        self._pool: Any = pebble.ProcessPool(
-            max_workers=jobs,
-            initializer=_begin,
-            initargs=(sent, self._folder.name),
-            context=loky.backend.get_context("loky"),
-        )
+        self._workers = [_Worker(context, sent, timeout) for _ in range(jobs)]
+        self._idle: SimpleQueue[_Worker] = SimpleQueue()
+        self._threads = ThreadPoolExecutor(jobs)
 
-    def submit(self, argument: Argument, *, calls: int = 1) -> Future[Result]:
-        """Have the next worker that is free call the function, in the time for so many calls."""
-        timeout = None if self._timeout is None else self._timeout * calls
-        future: Future[Result] = self._pool.schedule(_call, args=(argument,), timeout=timeout)
-        return future
+    def start(self) -> None:
+        """Start all of them; `close` ends them also if this raises."""
+        for worker in self._workers:
+            undisturbed(worker.start)
+            self._idle.put(worker)
 
-    def lost(self, error: Exception) -> Exception:
-        """Return what is to be said of a worker that did not answer."""
-        if isinstance(error, FutureTimeoutError):
-            return TimeoutError(f"no effect within timeout = {self._timeout:g} s")
-        if isinstance(error, self._expired):
-            code = getattr(error, "exitcode", None)
-            return RuntimeError(f"the worker process ended (exit code {code})")
-        return error
+    def submit(self, work: Callable[[Call], Result]) -> Future[Result]:
+        """Do something in a thread with the next worker that is idle: with its `call`."""
+        return self._threads.submit(self._with_idle, work)
 
-    def stop(self) -> None:
-        """End them, whatever they do."""
-        self._pool.stop()
-        self._pool.join()
-        for file in Path(self._folder.name).iterdir():
-            with suppress(OSError, AttributeError):
-                os.killpg(int(file.name), signal.SIGKILL)
-        self._folder.cleanup()
+    def _with_idle(self, work: Callable[[Call], Result]) -> Result:
+        worker = self._idle.get()
+        try:
+            return work(worker.call)
+        finally:
+            self._idle.put(worker)
 
-    def __enter__(self) -> Self:
-        return self
+    def close(self) -> None:
+        """End all of them, and what they have started."""
+        undisturbed(self._close)
 
-    def __exit__(self, *_: object) -> None:
-        self.stop()
+    def _close(self) -> None:
+        self._threads.shutdown(wait=False, cancel_futures=True)
+        with suppress(Exception):  # none is idle any more
+            while True:
+                self._idle.get_nowait().dismiss()
+        until = monotonic() + _GRACE
+        for worker in self._workers:
+            worker.close(until)
+        self._threads.shutdown()
 
 
-def _begin(function: bytes, folder: str) -> None:
-    """Prepare a worker: Ctrl-C is for the process that it works for."""
-    global _function  # noqa: PLW0603 - one for each process
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+class _Worker:
+    """A process, and another one when it has ended."""
+
+    def __init__(self, context: Any, function: bytes, timeout: float | None) -> None:  # noqa: ANN401
+        self._context, self._function, self._timeout = context, function, timeout
+        self._lock = Lock()  # of what follows, but for who calls
+        self._process: Any = None
+        self._pipe: Connection[Any, Any]
+        self._is_closed = self._is_dismissed = self._is_ready = False
+        self._sent = 0  # messages
+
+    def start(self) -> None:
+        """Start a process, in place of the one before."""
+        with self._lock:
+            self._kill()
+            if self._is_closed:
+                raise CancelledError
+            self._is_ready = False
+            self._pipe, theirs = self._context.Pipe()
+            # No daemon: a function may start processes, too.
+            self._process = self._context.Process(
+                target=_work, args=(self._function, theirs), daemon=False
+            )
+            self._process.start()
+            theirs.close()
+
+    def call(self, *arguments: object, calls: int = 1) -> Any:  # noqa: ANN401 - what it returns
+        """Return what the function returns, in the time for so many calls.
+
+        Raises a LostError if the process dies, or takes too long; it is replaced.
+        """
+        try:
+            return self._answer(arguments, calls)
+        except LostError:
+            self.start()
+            raise
+
+    def _answer(self, arguments: tuple[object, ...], calls: int) -> Any:  # noqa: ANN401
+        if not self._process.is_alive():  # it has died when there was nothing to do
+            self.start()
+        process = self._process
+        self._await_ready()
+        self._sent += 1
+        end = None if self._timeout is None else monotonic() + self._timeout * calls
+        with suppress(EOFError, OSError):  # it has ended
+            self._pipe.send((self._sent, arguments))
+            while process.is_alive() or self._pipe.poll():
+                left = _GLANCE if end is None else min(_GLANCE, end - monotonic())
+                if self._pipe in wait([self._pipe, process.sentinel], max(0, left)):
+                    number, result = self._received()
+                    if number == self._sent:
+                        return result
+                elif left <= 0:
+                    late = TimeoutError(f"no effect within timeout = {self._timeout:g} s")
+                    raise LostError from late
+        _await_end(process, monotonic() + _GRACE)
+        died = RuntimeError(f"the worker process ended (exit code {process.exitcode})")
+        raise LostError from died
+
+    def _await_ready(self) -> None:
+        """Wait until the process has the function: that takes none of a call's time."""
+        problem = "it ended"
+        with suppress(EOFError, OSError):
+            while not self._is_ready and (self._process.is_alive() or self._pipe.poll()):
+                if self._pipe.poll(_GLANCE):
+                    problem = self._pipe.recv()
+                    self._is_ready = problem == ""
+                    break
+        if not self._is_ready:
+            raise RuntimeError(f"a worker process could not begin: {problem}")
+
+    def _received(self) -> Any:  # noqa: ANN401
+        try:
+            return self._pipe.recv()
+        except (EOFError, OSError):
+            raise
+        except Exception as error:  # it cannot be read in this process
+            raise LostError from error
+
+    def dismiss(self) -> None:
+        """Tell the process, which is idle, to end."""
+        with suppress(OSError, AttributeError):
+            self._pipe.send(None)
+            self._is_dismissed = True
+
+    def close(self, until: float) -> None:
+        """End the process; one that was dismissed may do so itself until then."""
+        with self._lock:
+            self._is_closed = True
+            if self._process is not None and self._is_dismissed:
+                _await_end(self._process, until)
+            self._kill()
+
+    def _kill(self) -> None:
+        """End the process, and all that it has started."""
+        if self._process is not None:
+            with suppress(OSError, AttributeError, TypeError):
+                os.killpg(self._process.pid, signal.SIGKILL)
+            with suppress(OSError):  # where there are no groups, or it leads none yet
+                os.kill(self._process.pid, getattr(signal, "SIGKILL", signal.SIGTERM))
+            self._process.join()
+
+
+def _await_end(process: Any, until: float) -> None:  # noqa: ANN401
+    """Wait for a process; `join` with a time-out would wait for its copies, too."""
+    while process.is_alive() and monotonic() < until:
+        process.join(0.02)
+
+
+def _work(function: bytes, pipe: Connection[Any, Any]) -> None:
+    """Answer messages: what a worker does."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process that it works for
     with suppress(OSError, AttributeError):
         os.setpgid(0, 0)
-        (Path(folder) / str(os.getpid())).touch()
-    _function = library("cloudpickle", user="a worker").loads(function)
+    Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
+    try:
+        call = library("cloudpickle", user="a worker").loads(function)
+    except BaseException as error:  # noqa: BLE001 - a user's object may raise anything
+        pipe.send(f"{type(error).__name__}: {error}")
+        return
+    pipe.send("")
+    me = os.getpid()
+    while (message := pipe.recv()) is not None:
+        number, arguments = message
+        result = call(*arguments)
+        if os.getpid() != me:  # the function has forked, and come back twice
+            os._exit(0)
+        pipe.send((number, result))
 
 
-def _call(argument: Any) -> Any:  # noqa: ANN401 - whatever the function takes and returns
-    return _function(argument)
+def _end_with(parent: int) -> None:
+    """End this process, and what it has started, when the one that it works for has been killed."""
+    while os.getppid() == parent:
+        sleep(_GLANCE)
+    with suppress(AttributeError):
+        os.killpg(0, signal.SIGKILL)
+    os._exit(1)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from concurrent.futures import TimeoutError as FutureTimeoutError
 from contextlib import suppress
+from functools import partial
 from importlib.util import find_spec
 from threading import Lock
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from numpy.random import Generator
 
 from divbandit._library import library
-from divbandit._workers import Workers
+from divbandit._workers import LostError, Workers
 from divbandit.environments import PlanarArm, PushArm
 from divbandit.exploration.drivers import runs_in_rust
 from divbandit.exploration.evaluating import portable
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
 
     from divbandit._checks import Rng
+    from divbandit._workers import Call
     from divbandit.experiments.task import Task
     from divbandit.exploration import Exploration
 
@@ -36,7 +38,7 @@ class Elsewhere:
 
     def __init__(self, jobs: int, executor: Executor | None) -> None:
         self._jobs, self._executor = jobs, executor
-        self._workers: Workers[Any, object] | None = None
+        self._workers: Workers | None = None
         self._lock = Lock()
 
     def takes(self, task: Task, keep: Keep) -> bytes | None:
@@ -44,7 +46,7 @@ class Elsewhere:
         if self._executor is not None:
             return b""
         at_once = self._jobs == 1 or isinstance(task.rng, Generator)  # which it must advance
-        if at_once or _runs_in_rust(task) or find_spec("pebble") is None:
+        if at_once or _runs_in_rust(task) or find_spec("loky") is None:
             return None
         with suppress(Exception):  # a user's object may raise anything
             return bytes(library("cloudpickle", user="explore_many").dumps((task, keep)))
@@ -54,10 +56,11 @@ class Elsewhere:
         self, task: Task, rng: Rng, keep: Keep, sent: bytes, check: Callable[[], None]
     ) -> object:
         """Explore a task; `check` is called every now and then, and may raise."""
+        future: Future[object]
         if self._executor is not None:
-            future: Future[object] = self._executor.submit(explored, task, rng, keep)
+            future = self._executor.submit(explored, task, rng, keep)
         else:
-            future = self._own().submit((sent, rng))
+            future = self._own().submit(partial(_answered, sent=sent, rng=rng))
         while True:
             check()
             try:
@@ -65,20 +68,30 @@ class Elsewhere:
             except FutureTimeoutError:
                 if future.done():
                     return future.result()
-            except Exception as error:  # noqa: BLE001 - of the task, or of its worker
-                raise (self._workers.lost(error) if self._workers else error) from None
 
-    def _own(self) -> Workers[Any, object]:
+    def _own(self) -> Workers:
         with self._lock:
             if self._workers is None:
-                self._workers = Workers(_explored, self._jobs, user="explore_many")
+                self._workers = Workers(_explored, self._jobs, None, user="explore_many")
+                self._workers.start()
             return self._workers
 
     def __enter__(self) -> None: ...
 
     def __exit__(self, *_: object) -> None:
         if self._workers is not None:
-            self._workers.stop()
+            self._workers.close()
+
+
+def _answered(call: Call, sent: bytes, rng: Rng) -> object:
+    """Return what a worker has kept of a task, or raise what it has raised."""
+    try:
+        kept, error = call(sent, rng)
+    except LostError as lost:
+        raise (lost.__cause__ or lost) from None
+    if error is not None:
+        raise error
+    return kept
 
 
 def _runs_in_rust(task: Task) -> bool:
@@ -106,6 +119,10 @@ def explored(task: Task, rng: Rng, keep: Keep) -> object:
         raise portable(error) from None
 
 
-def _explored(sent: tuple[bytes, Rng]) -> object:
-    task, keep = library("cloudpickle", user="explore_many").loads(sent[0])
-    return explored(task, sent[1], keep)
+def _explored(sent: bytes, rng: Rng) -> tuple[object, BaseException | None]:
+    """Do so in a worker: nothing gets past it."""
+    try:
+        task, keep = library("cloudpickle", user="explore_many").loads(sent)
+        return explored(task, rng, keep), None
+    except BaseException as error:  # noqa: BLE001 - sent to where it is raised
+        return None, portable(error)

@@ -85,7 +85,7 @@ def explore_many(
     jobs : int, optional
         How many explorations run at a time; by default the number of cores that this process may
         use. Those of built-in parts run in threads. A black box in Python, or a user-defined
-        strategy, is explored in a worker process, if pebble and loky are installed
+        strategy, is explored in a worker process, if loky is installed
         (``pip install "divbandit[jobs]"``) and the task can be pickled: each has its own copy of
         the environment.
     executor : concurrent.futures.Executor, optional

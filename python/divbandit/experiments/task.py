@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from divbandit._checks import Rng
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
-    from divbandit.exploration.running import OnError
+    from divbandit.exploration.options import OnError
     from divbandit.strategies.base import Strategy
 
 

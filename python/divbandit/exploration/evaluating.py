@@ -6,9 +6,13 @@
 from __future__ import annotations
 
 import pickle
+import sys
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+from divbandit._core import as_point
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,36 +23,59 @@ if TYPE_CHECKING:
 
 
 class Outcome(NamedTuple):
-    """What came of an evaluation: an effect, not yet checked, or what was raised."""
+    """What came of an evaluation: an effect, or what was raised, also in words."""
 
-    effect: Any
+    effect: NDArray[np.float64] | None
     error: BaseException | None = None
+    reason: str = ""
+
+    @classmethod
+    def of(cls, error: BaseException) -> Outcome:
+        """Return the outcome of a failed evaluation."""
+        return cls(None, error, reason_of(error))
 
 
 def evaluate(
-    environment: Environment, commands: Sequence[NDArray[np.float64]], *, pickled: bool = False
+    environment: Environment,
+    commands: Sequence[NDArray[np.float64]],
+    dim: int | None = None,
+    *,
+    pickled: bool = False,
 ) -> list[Outcome]:
     """Call a black box with each of the commands; with all at once where it takes arrays.
 
+    Its effects must have `dim` numbers, if that is known. With `pickled`, outcomes can be sent to
+    another process, and Ctrl-C is one of them.
+
     Examples
     --------
+    >>> import numpy as np
     >>> import divbandit as db
-    >>> box = db.FunctionEnvironment(lambda x: 1 / float(x[0]), db.Box([0], [1]))
-    >>> [outcome.error for outcome in evaluate(box, [[0.5], [0]])]
-    [None, ZeroDivisionError('float division by zero')]
+    >>> box = db.FunctionEnvironment(lambda x: 1 / x, db.Box([0], [1]))
+    >>> [outcome.reason for outcome in evaluate(box, [np.ones(1), [0]])]
+    ['', "TypeError: unsupported operand type(s) for /: 'int' and 'list'"]
     """
-    if len(commands) > 1 and getattr(environment, "vectorized", False):
-        try:
-            return [Outcome(effect) for effect in np.asarray(environment(np.stack(commands)))]
-        except Exception:  # noqa: BLE001, S110 - which of them it was, is found one by one
-            pass
+    effects = _at_once(environment, commands)
     outcomes = []
-    for command in commands:
+    for index, command in enumerate(commands):
         try:
-            outcomes.append(Outcome(environment(command)))
-        except BaseException as error:  # noqa: BLE001, PERF203 - a black box may raise anything
-            outcomes.append(Outcome(None, portable(error) if pickled else error))
+            effect = environment(command) if effects is None else effects[index]
+            outcomes.append(Outcome(as_point("effect", effect, dim)))
+        except BaseException as error:  # noqa: PERF203 - a black box may raise anything
+            if isinstance(error, KeyboardInterrupt) and not pickled:
+                raise
+            outcome = Outcome.of(error)
+            outcomes.append(outcome._replace(error=portable(error)) if pickled else outcome)
     return outcomes
+
+
+def _at_once(environment: Environment, commands: Sequence[NDArray[np.float64]]) -> list[Any] | None:
+    """Return the effects of all commands; None if which of them fail is to be found one by one."""
+    if len(commands) > 1 and getattr(environment, "vectorized", False):
+        with suppress(Exception, SystemExit):
+            effects = list(np.asarray(environment(np.stack(commands))))
+            return effects if len(effects) == len(commands) else None
+    return None
 
 
 def portable(error: BaseException) -> BaseException:
@@ -80,3 +107,9 @@ def reason_of(error: BaseException) -> str:
     except Exception:  # noqa: BLE001 - of a user's class
         return f"{kind}, whose message cannot be shown"
     return f"{kind}: {text}" if text else kind
+
+
+def note(error: BaseException, text: str) -> None:
+    """Add a line to what an exception shows, from Python 3.11 on."""
+    if sys.version_info >= (3, 11):
+        error.add_note(text)

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from divbandit.exploration import running
 from divbandit.exploration.explorer import Explorer
+from divbandit.exploration.options import Options, check_environment
 from divbandit.exploration.result import Exploration
-from divbandit.exploration.running import Options
 
 if TYPE_CHECKING:
     import os
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
     from divbandit.exploration.explorer import Past
-    from divbandit.exploration.running import OnError
+    from divbandit.exploration.options import OnError
     from divbandit.exploration.watching import Every
     from divbandit.strategies.base import Strategy
 
@@ -104,7 +104,7 @@ def explore(  # noqa: PLR0913 - each is a choice of the user's
     >>> run.commands.shape, run.effects.shape
     ((500, 20), (500, 2))
     """
-    running.check_environment(environment)
+    check_environment(environment)
     options = Options(
         jobs=jobs,
         executor=executor,

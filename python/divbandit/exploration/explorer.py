@@ -10,8 +10,8 @@ from divbandit._core import Journal, Trial, as_point, undisturbed
 from divbandit.bandits.rewards import Gain
 from divbandit.exploration import running, saved
 from divbandit.exploration.drivers import ENGINES, check_dim, driver_of
+from divbandit.exploration.options import Options
 from divbandit.exploration.result import Exploration
-from divbandit.exploration.running import Options
 from divbandit.history import History, counted
 from divbandit.strategies.base import Strategy
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from divbandit.callbacks.protocol import CallbackLike
     from divbandit.environments import Environment
     from divbandit.exploration.drivers import EngineName
-    from divbandit.exploration.running import OnError
+    from divbandit.exploration.options import OnError
     from divbandit.exploration.watching import Every
     from divbandit.measures import Measure
 
@@ -338,9 +338,8 @@ class Explorer:
             How many evaluations, at least 1; those that fail are among them.
         jobs : int, optional
             How many worker processes evaluate. One that dies, or takes longer than `timeout`, is
-            replaced: that evaluation has failed. Needs ``pip install "divbandit[jobs]"``; the
-            environment must be picklable where processes are not forked. By default trials are
-            evaluated in this thread, one after the other.
+            replaced: that evaluation has failed. The environment must be picklable where processes
+            are not forked. By default trials are evaluated in this thread, one after the other.
         executor : concurrent.futures.Executor, optional
             Where to evaluate instead: threads, processes, a cluster's
             (``dask.distributed.Client.get_executor()``, ``mpi4py.futures.MPIPoolExecutor``).

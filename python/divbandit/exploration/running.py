@@ -7,91 +7,24 @@ many steps at a time as nothing else is due; or several at a time, through an ex
 from __future__ import annotations
 
 import math
-import sys
-from collections.abc import Iterable
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Future, wait
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass
-from functools import partial
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING
 
-from divbandit._checks import one_of, positive, whole
-from divbandit._core import as_point
-from divbandit._workers import Workers
-from divbandit.callbacks.protocol import check_callback
-from divbandit.environments import Environment
-from divbandit.exploration.evaluating import Outcome, evaluate, reason_of
+from divbandit._checks import whole
+from divbandit.exploration.evaluating import note, reason_of
+from divbandit.exploration.options import check_environment
+from divbandit.exploration.parallel import Parallel
 from divbandit.exploration.saved import Checkpoint
-from divbandit.exploration.watching import Every, Watcher, period
+from divbandit.exploration.watching import Watcher
 
 if TYPE_CHECKING:
-    import os
-    from collections.abc import Iterator, Sequence
-    from concurrent.futures import Executor
+    from collections.abc import Iterator
 
     from divbandit._core import Trial
     from divbandit.callbacks.protocol import CallbackLike
+    from divbandit.environments import Environment
     from divbandit.exploration.explorer import Explorer
-
-#: Seconds between checks while waiting: not every system lets Ctrl-C interrupt a long wait.
-_GLANCE = 0.2
-
-
-#: What to do if an evaluation fails.
-OnError = Literal["raise", "record"]
-
-
-@dataclass(frozen=True)
-class Options:
-    """How `Explorer.run` evaluates: its arguments, and checks of them."""
-
-    jobs: int | None = None
-    executor: Executor | None = None
-    in_flight: int | None = None
-    batch: int = 1
-    timeout: float | None = None
-    on_error: OnError = "raise"
-    max_failures: int | None = None
-    callbacks: Iterable[CallbackLike] = ()
-    checkpoint: str | os.PathLike[str] | None = None
-    every: Every = "30s"
-
-    def __post_init__(self) -> None:
-        one_of("on_error", self.on_error, ("raise", "record"))
-        for name in ("jobs", "in_flight", "batch", "max_failures"):
-            if (value := getattr(self, name)) is not None or name == "batch":
-                whole(name, value, low=1)
-        self._check_where()
-        if self.timeout is not None:
-            positive("timeout", self.timeout)
-            if self.jobs is None:
-                raise ValueError(
-                    f"timeout needs worker processes that can be ended, such as jobs=1, "
-                    f"got {self.timeout!r} without jobs"
-                )
-        if callable(self.callbacks) or not isinstance(self.callbacks, Iterable):
-            raise TypeError(
-                "callbacks must be a list of callables, such as [callback], "
-                f"got {type(self.callbacks).__name__}"
-            )
-        object.__setattr__(self, "callbacks", tuple(self.callbacks))
-        for index, callback in enumerate(self.callbacks):
-            check_callback(f"callbacks[{index}]", callback)
-        period("every", self.every)
-
-    def _check_where(self) -> None:
-        if self.executor is not None:
-            if not callable(getattr(self.executor, "submit", None)):
-                kind = type(self.executor).__name__
-                raise TypeError(f"executor must be a concurrent.futures.Executor, got {kind}")
-            if self.jobs is not None:
-                raise ValueError(f"jobs and executor must not both be given, got jobs={self.jobs}")
-            if self.in_flight is None:
-                raise ValueError("in_flight must be given together with an executor, got None")
-        elif self.jobs is None and self.in_flight is not None:
-            raise ValueError(
-                f"in_flight must be given with an executor or jobs alone, got {self.in_flight!r}"
-            )
+    from divbandit.exploration.options import Options
 
 
 def run(explorer: Explorer, environment: Environment, n: int, options: Options) -> None:
@@ -105,10 +38,11 @@ def run(explorer: Explorer, environment: Environment, n: int, options: Options) 
     if options.checkpoint is not None:
         callbacks.append(Checkpoint(options.checkpoint, options.every))
     with _holding(explorer), ExitStack() as stack:
-        loop = _Loop(explorer, environment, n, options)
+        loop = Loop(explorer, environment, n, options)
         for callback in callbacks:
             loop.watchers.append(stack.enter_context(Watcher(callback, explorer, n)))
-        stack.enter_context(loop.evaluator)
+        stack.callback(loop.evaluator.close)
+        loop.evaluator.start()
         while loop.left > 0 and not loop.stopped:
             loop.advance()
         loop.evaluator.finish()
@@ -119,16 +53,7 @@ def run(explorer: Explorer, environment: Environment, n: int, options: Options) 
             raise RuntimeError(f"all {len(history.failures)} evaluations failed, last: {reason}")
 
 
-def check_environment(environment: object) -> None:
-    """Raise a TypeError unless this is a black box with its spaces."""
-    if not isinstance(environment, Environment):
-        raise TypeError(
-            "environment must be callable and have motor_space and sensory_space "
-            f"(FunctionEnvironment makes one of a function), got {type(environment).__name__}"
-        )
-
-
-class _Loop:
+class Loop:
     """A run of an explorer."""
 
     def __init__(
@@ -139,11 +64,11 @@ class _Loop:
         self.watchers: list[Watcher] = []
         self.stopped = False
         self._failed = 0  # in a row
-        self.evaluator: _Serial | _Parallel
+        self.evaluator: _Serial | Parallel
         if options.jobs is None and options.executor is None and options.batch == 1:
             self.evaluator = _Serial(self, environment)
         else:
-            self.evaluator = _Parallel(self, environment, options)
+            self.evaluator = Parallel(self, environment, options)
 
     @property
     def left(self) -> int:
@@ -171,14 +96,16 @@ class _Loop:
         """Note that an evaluation gave an effect."""
         self._failed = 0
 
-    def failed(self, trial: Trial, error: BaseException) -> None:
+    def failed(self, trial: Trial, error: BaseException, reason: str) -> None:
         """Record that the evaluation of a trial failed, or raise what it raised."""
-        reason = reason_of(error)
+        if isinstance(error, KeyboardInterrupt):  # another process heard Ctrl-C
+            raise error
         if self._options.on_error == "raise":
-            _note(error, f"raised by the evaluation of the command {trial.command.tolist()}")
-            if isinstance(error, Exception):
-                raise error
-            raise RuntimeError(f"the environment must return an effect, got {reason}") from error
+            cause = None if isinstance(error, Exception) else error
+            if cause is not None:  # not to end the program
+                error = RuntimeError(f"the environment must return an effect, got {reason}")
+            note(error, f"raised by the evaluation of the command {trial.command.tolist()}")
+            raise error from (error.__cause__ if cause is None else cause)
         self.explorer.fail(trial, reason)
         self._failed += 1
         self.made(trial)
@@ -192,7 +119,7 @@ class _Loop:
 class _Serial:
     """One trial after the other, in this thread."""
 
-    def __init__(self, loop: _Loop, environment: Environment) -> None:
+    def __init__(self, loop: Loop, environment: Environment) -> None:
         self._loop, self._environment = loop, environment
         self._driver = loop.explorer._driver  # noqa: SLF001 - its loop
 
@@ -214,134 +141,17 @@ class _Serial:
             if not still or (pending and still[0] is not pending[0]):
                 raise  # the strategy's own
             loop.count(made)
-            loop.failed(still[0], error)
+            loop.failed(still[0], error, reason_of(error))
         else:
             loop.succeeded()
             newest = pending[0] if pending else self._driver.newest
             if newest is not None:
                 loop.made(newest, len(explorer.history) - known)
 
-    def finish(self) -> None:
-        """Nothing is under way."""
+    def start(self) -> None:
+        """Nothing is to be started."""
 
-    def __enter__(self) -> None: ...
-
-    def __exit__(self, *_: object) -> None: ...
-
-
-class _Submitter(Protocol):
-    """What evaluates commands elsewhere."""
-
-    def __call__(self, commands: Sequence[Any], /) -> Future[list[Outcome]]: ...
-
-
-class _Parallel:
-    """Several trials at a time, told as their effects come in."""
-
-    def __init__(self, loop: _Loop, environment: Environment, options: Options) -> None:
-        self._loop, self._environment, self._options = loop, environment, options
-        self._most = options.in_flight or options.jobs or 1
-        self._under_way: dict[Future[list[Outcome]], list[Trial]] = {}
-        self._stack = ExitStack()
-        self._workers: Workers[Sequence[Any], list[Outcome]] | None = None
-        self._left_over = list(loop.explorer.open_trials)
-
-    def __enter__(self) -> None:
-        options, environment = self._options, self._environment
-        if options.jobs is not None:
-            function = partial(evaluate, environment, pickled=True)
-            workers = Workers(function, options.jobs, timeout=options.timeout, user="jobs")
-            self._workers = self._stack.enter_context(workers)
-            self._submit: _Submitter = lambda commands: workers.submit(
-                commands, calls=len(commands)
-            )
-        elif options.executor is not None:
-            submit = options.executor.submit
-            self._submit = lambda commands: submit(evaluate, environment, commands, pickled=True)
-        else:
-            self._submit = lambda commands: _done(evaluate(environment, commands))
-
-    def __exit__(self, *_: object) -> None:
-        for future in self._under_way:
-            future.cancel()
-        self._stack.close()
-
-    def advance(self, n: int, seconds: float) -> None:
-        """Keep all workers busy, and tell what comes in."""
-        del n
-        self._send()
-        self._receive(seconds)
-
-    def finish(self) -> None:
-        """Wait for what is under way."""
-        while self._under_way:
-            self._receive(math.inf)
-
-    def _send(self) -> None:
-        under_way = sum(map(len, self._under_way.values()))
-        while len(self._under_way) < self._most and under_way < self._loop.left:
-            trials: list[Trial] = []
-            for _ in range(min(self._options.batch, self._loop.left - under_way)):
-                again = self._left_over.pop(0) if self._left_over else None
-                trials.append(again or self._loop.explorer.ask())
-            self._under_way[self._submit([trial.command for trial in trials])] = trials
-            under_way += len(trials)
-
-    def _receive(self, seconds: float) -> None:
-        done, _ = wait(self._under_way, min(seconds, _GLANCE), FIRST_COMPLETED)
-        # Those that come in together are told in the order in which they were proposed; effects
-        # before failures, so that none is lost if these are raised.
-        failures: list[tuple[Trial, BaseException]] = []
-        broken: BrokenExecutor | None = None
-        for future in [future for future in self._under_way if future in done]:
-            trials = self._under_way[future]
-            try:
-                outcomes = self._outcomes(future, trials)
-            except BrokenExecutor as error:
-                broken = error
-                continue
-            for trial, outcome in zip(trials, outcomes, strict=True):
-                failure = outcome.error or self._told(trial, outcome.effect)
-                if failure is not None:
-                    failures.append((trial, failure))
-            del self._under_way[future]
-        for trial, failure in failures:
-            self._loop.failed(trial, failure)
-        if broken is not None:
-            _note(broken, "its trials are under way: explorer.run evaluates them again")
-            raise broken
-
-    def _told(self, trial: Trial, effect: object) -> Exception | None:
-        """Tell an effect, or return what is wrong with it."""
-        loop, explorer = self._loop, self._loop.explorer
-        try:
-            point = as_point("effect", effect, explorer.history.effect_dim)  # type: ignore[arg-type]
-        except Exception as error:  # noqa: BLE001 - a black box may return anything
-            return error
-        explorer.tell(trial, point)
-        loop.succeeded()
-        loop.made(trial)
-        return None
-
-    def _outcomes(self, future: Future[list[Outcome]], trials: list[Trial]) -> list[Outcome]:
-        try:
-            return future.result()
-        except (BrokenExecutor, CancelledError):
-            raise
-        except Exception as error:  # noqa: BLE001 - a worker is lost, or a result cannot be sent
-            lost = error if self._workers is None else self._workers.lost(error)
-            return [Outcome(None, lost)] * len(trials)
-
-
-def _done(outcomes: list[Outcome]) -> Future[list[Outcome]]:
-    future: Future[list[Outcome]] = Future()
-    future.set_result(outcomes)
-    return future
-
-
-def _note(error: BaseException, text: str) -> None:
-    if sys.version_info >= (3, 11):
-        error.add_note(text)
+    finish = close = start
 
 
 @contextmanager
@@ -352,7 +162,7 @@ def _holding(explorer: Explorer) -> Iterator[None]:
     except BaseException as error:
         if getattr(error, "explorer", None) is not explorer:
             error.explorer = explorer  # type: ignore[attr-defined]
-            _note(
+            note(
                 error,
                 f"the explorer holds {explorer.evaluations} evaluations: error.explorer.result() "
                 "returns them, error.explorer.run(environment, n) goes on",

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from divbandit import _files
+from divbandit._core import undisturbed
 from divbandit._recipe import NoRecipeError, made_from, recipe_of
 from divbandit.box import Box
 from divbandit.exploration.blocks import packed, unpacked
@@ -51,7 +52,7 @@ _BIT_GENERATORS = {
 
 def write(path: PathLike, explorer: Explorer) -> None:
     """Write what happened to an explorer, replacing a file whole or not at all."""
-    _replace(path, _head(explorer, grows=False) + _Blocks(explorer).next())
+    _replace(path, _head(explorer, grows=False) + _block(explorer)[0])
 
 
 class Checkpoint:
@@ -78,75 +79,71 @@ class Growing:
     """A file to which blocks are appended."""
 
     def __init__(self, path: PathLike, explorer: Explorer) -> None:
-        self._path, self._blocks = Path(path).resolve(), _Blocks(explorer)
-        first = _head(explorer, grows=True) + self._blocks.next()
-        self._end = len(first)
+        self._explorer, self._path = explorer, Path(path).resolve()
+        block, mark = _block(explorer)
+        first = _head(explorer, grows=True) + block
+        #: What is written, and how long the file is: they change in one step.
+        self._state = mark, len(first)
         _replace(path, first)
 
     def __call__(self, explorer: Explorer, _: Trial | None, /) -> None:
         """Write what has happened since."""
-        if not self._blocks.is_more(explorer):
+        undisturbed(self._write, explorer)
+
+    def _write(self, explorer: Explorer) -> None:
+        mark, end = self._state
+        journal = explorer._journal  # noqa: SLF001 - that is what is written
+        if journal.size == mark[0] and len(explorer.history) == mark[1]:
             return
-        mark = self._blocks.mark
-        try:
-            block = self._blocks.next()
-            with self._path.open("r+b") as file:
-                file.truncate(self._end)  # what an interrupted call has left
-                file.seek(self._end)
-                file.write(block)
-        except BaseException:
-            self._blocks.mark = mark
-            raise
-        self._end += len(block)
+        block, mark = _block(explorer, mark)
+        with self._path.open("r+b") as file:
+            file.truncate(end)  # what an interrupted call has left
+            file.seek(end)
+            file.write(block)
+        self._state = mark, end + len(block)
 
     def is_at(self, path: PathLike) -> bool:
         """Whether this is that file, as it was left."""
         try:
-            return self._path == Path(path).resolve() and self._path.stat().st_size == self._end
+            return (
+                self._path == Path(path).resolve() and self._path.stat().st_size == self._state[1]
+            )
         except OSError:
             return False
 
     def close(self) -> None:
         """Write the rest."""
-        self(self._blocks.explorer, None)
+        self(self._explorer, None)
 
 
-class _Blocks:
-    """What has happened to an explorer, block by block."""
+def _block(
+    explorer: Explorer, mark: tuple[int, int, int] = (0, 0, 0)
+) -> tuple[bytes, tuple[int, int, int]]:
+    """Return a block of what has happened since a mark, and the next mark.
 
-    def __init__(self, explorer: Explorer) -> None:
-        self.explorer = explorer
-        #: How many events, rows of the history and failures are in the blocks so far.
-        self.mark = (0, 0, 0)
-
-    def is_more(self, explorer: Explorer) -> bool:
-        """Whether anything has happened since the last block."""
-        journal = explorer._journal  # noqa: SLF001 - that is what is written
-        return journal.size > self.mark[0] or len(explorer.history) > self.mark[1]
-
-    def next(self) -> bytes:
-        """Return a block of what has happened since the last one."""
-        explorer, (first, row, failed) = self.explorer, self.mark
-        journal, log = explorer._journal, explorer.history._log  # noqa: SLF001
-        events, failures = journal.events(first), journal.failures(failed)
-        m = explorer.history.motor_space.dim
-        pending = journal.open
-        words = {
-            "state": _plain(state_of(explorer.rng)),
-            "reasons": [reason for _, _, reason, *_ in failures],
-        }
-        arrays: Arrays = {
-            "words": _files.from_json(words),
-            "events": events,
-            "commands": log.commands_from(row),
-            "effects": log.effects_from(row),
-            "failed": np.array([number for number, *_ in failures], dtype=np.int64),
-            "failed_commands": _points([command for _, command, *_ in failures], m),
-            "pending": np.array([trial.number for trial in pending], dtype=np.int64),
-            "pending_commands": _points([trial.command for trial in pending], m),
-        }
-        self.mark = (first + len(events), row + len(arrays["effects"]), failed + len(failures))
-        return packed(arrays)
+    A mark says how many events, rows of the history and failures are in the blocks so far.
+    """
+    first, row, failed = mark
+    journal, log = explorer._journal, explorer.history._log  # noqa: SLF001 - that is what is written
+    events, failures = journal.events(first), journal.failures(failed)
+    m = explorer.history.motor_space.dim
+    pending = journal.open
+    words = {
+        "state": _plain(state_of(explorer.rng)),
+        "reasons": [reason for _, _, reason, *_ in failures],
+    }
+    arrays: Arrays = {
+        "words": _files.from_json(words),
+        "events": events,
+        "commands": log.commands_from(row),
+        "effects": log.effects_from(row),
+        "failed": np.array([number for number, *_ in failures], dtype=np.int64),
+        "failed_commands": _points([command for _, command, *_ in failures], m),
+        "pending": np.array([trial.number for trial in pending], dtype=np.int64),
+        "pending_commands": _points([trial.command for trial in pending], m),
+    }
+    mark = first + len(events), row + len(arrays["effects"]), failed + len(failures)
+    return packed(arrays), mark
 
 
 def _points(rows: list[NDArray[np.float64]], dim: int) -> NDArray[np.float64]:

@@ -186,7 +186,9 @@ fn borrow<'py>(name: &str, array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Floa
 
 /// The name of a value's type, for a message.
 pub(crate) fn kind(value: &Any<'_>) -> String {
-    value.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string())
+    let class = value.get_type().name();
+    let name = class.as_ref().ok().and_then(|name| name.to_str().ok());
+    name.unwrap_or("an object").to_owned()
 }
 
 /// That a value is not of the type that it must be.

@@ -32,7 +32,8 @@ pub(crate) fn library_class_of(part: &Any<'_>) -> PyResult<Option<String>> {
 /// The name of a class, if the package defines it.
 fn name_of(class: &Bound<'_, PyType>) -> PyResult<Option<String>> {
     let is_ours = class.module()?.to_str()?.starts_with(PACKAGE);
-    if is_ours { Ok(Some(class.name()?.to_string())) } else { Ok(None) }
+    // Formatting an object would swallow a Ctrl-C.
+    if is_ours { Ok(Some(class.name()?.to_str()?.to_owned())) } else { Ok(None) }
 }
 
 /// What was read of a value, which must be `what` of the library.

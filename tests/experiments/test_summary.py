@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import divbandit as db
+from divbandit.plot.data import usage_of as plot_usage
 
 ARM = db.PlanarArm(3)
 PARTS = [db.MotorBabbling(), db.GoalBabbling(0.05), db.GoalBabbling(0.5)]
@@ -55,7 +56,7 @@ def test_steps_are_the_last_by_default_none_or_numpys_and_read_once(options, ste
         ([2, 2, 0, 2], None, [0.25, 0.0, 0.75]),
         ([None] * 4, None, [1.0]),
         ([0] * 4, None, [1.0]),
-        ([None, 1, 0, 1], None, [0.25, 0.5]),  # nobody's is none's
+        ([None, 1, 0, 1, 1], None, [0.25, 0.75]),  # an earlier one is of no strategy
     ],
 )
 def test_usage_counts_choices(choices, believed, usage):
@@ -85,7 +86,7 @@ def test_no_exploration_is_kept_alive_by_its_summary():
 
 def test_an_empty_exploration_has_no_summary():
     explorer = db.Explorer(db.MotorBabbling(), ARM.motor_space)
-    with pytest.raises(ValueError, match="run must have at least one step, got none"):
+    with pytest.raises(ValueError, match="run must have at least one effect, got none"):
         db.experiments.summarize(0.1)(explorer.result())
 
 
@@ -100,3 +101,29 @@ def test_both_say_what_they_are_and_can_be_pickled():
     assert repr(db.experiments.summarize(0.25)(by_hand([1, 0]))) == (
         "Summary(coverage=array([1.]), usage=array([0.5, 0.5]))"
     )
+
+
+def test_failed_evaluations_count_among_those_before():
+    fates = iter([None, 1.0, None, None, 3.0, 5.0, None])
+
+    def fragile(_):
+        fate = next(fates)
+        if fate is None:
+            raise RuntimeError
+        return [fate]
+
+    box = db.FunctionEnvironment(fragile, db.Box([0], [1]))
+    run = db.explore(box, db.MotorBabbling(), 7, rng=0, on_error="record")
+    summary = db.experiments.summarize(0.5, at=range(1, 8))(run)
+    assert summary.coverage.tolist() == [0, 1, 1, 1, 2, 3, 3]
+    assert summary.usage.tolist() == [1.0]
+
+
+def test_earlier_evaluations_are_of_no_strategy():
+    earlier = db.explore(ARM, db.MotorBabbling(), 30, rng=0)
+    run = db.explore(ARM, db.Mixture(PARTS), 50, rng=0, past=earlier)
+    usage = db.experiments.summarize(0.1)(run).usage
+    assert usage.sum() == pytest.approx(1)
+    shares = plot_usage(run, window=20)
+    assert np.isnan(shares[:10]).all()
+    np.testing.assert_allclose(shares[40:].sum(axis=1), 1)

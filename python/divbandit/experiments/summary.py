@@ -48,8 +48,8 @@ def summarize(tau: float, *, at: Iterable[int] | None = None) -> Callable[[Explo
     tau : float
         Radius of the balls, in the units of the effects; positive.
     at : iterable of int, optional
-        The steps after which to take the coverage: counts of effects, from 1 on. By default the
-        last.
+        The evaluations after which to take the coverage, from 1 on: those that failed are among
+        them, and those of the past. By default the last.
 
     Returns
     -------
@@ -93,14 +93,17 @@ class _Summarize:
     def __call__(self, run: Exploration) -> Summary:
         if not isinstance(run, Exploration):
             raise TypeError(f"run must be an Exploration, got {type(run).__name__}")
-        n = len(run)
-        if n == 0:
-            raise ValueError("run must have at least one step, got none")
-        counts = (n,) if self.at is None else self.at
-        for count in counts:
+        if len(run) == 0:
+            raise ValueError("run must have at least one effect, got none")
+        places = np.array([failure.place for failure in run.failures], dtype=np.int64)
+        n = len(run) + len(places)
+        counts = np.array((n,) if self.at is None else self.at, dtype=np.int64)
+        for count in counts.tolist():
             whole("at", count, low=1, high=n)
-        steps = np.array(counts, dtype=np.int64) - 1
-        return Summary(run.coverage(self.tau)[steps], _usage(run))
+        # Evaluation number `places[j] + j`, from 0, is the j-th that failed.
+        failed = np.searchsorted(places + np.arange(len(places)), counts)
+        coverage = np.append(0.0, run.coverage(self.tau))
+        return Summary(coverage[counts - failed], _usage(run))
 
     def __repr__(self) -> str:
         return f"summarize({self.tau!r}, at={self.at!r})"
@@ -109,4 +112,4 @@ class _Summarize:
 def _usage(run: Exploration) -> NDArray[np.float64]:
     parts = 0 if run.estimates is None else run.estimates.shape[1]
     chosen = run.choices[run.choices >= 0]  # -1 where no part of a strategy proposed
-    return np.bincount(chosen, minlength=max(parts, 1)) / len(run)
+    return np.bincount(chosen, minlength=max(parts, 1)) / max(len(chosen), 1)

@@ -37,7 +37,7 @@ def explore(  # noqa: PLR0913 - each is a choice of the user's
     executor: Executor | None = None,
     in_flight: int | None = None,
     batch: int = 1,
-    timeout: float | None = None,
+    timeout: float | str | None = None,
     on_error: OnError = "raise",
     max_failures: int | None = None,
     callbacks: Iterable[CallbackLike] = (),

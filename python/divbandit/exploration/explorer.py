@@ -318,7 +318,7 @@ class Explorer:
         executor: Executor | None = None,
         in_flight: int | None = None,
         batch: int = 1,
-        timeout: float | None = None,
+        timeout: float | str | None = None,
         on_error: OnError = "raise",
         max_failures: int | None = None,
         callbacks: Iterable[CallbackLike] = (),
@@ -351,8 +351,9 @@ class Explorer:
         batch : int
             How many commands go in one message: more where the black box takes less time than the
             message, or arrays (``FunctionEnvironment(f, ..., vectorized=True)``).
-        timeout : float, optional
-            The longest time for an evaluation in a worker process, in seconds; needs `jobs`.
+        timeout : float or str, optional
+            The longest time for an evaluation in a worker process, in seconds, or as a duration
+            such as ``"10min"``; needs `jobs`.
         on_error : {"raise", "record"}
             What to do if an evaluation fails: raises, exits, returns no effect (NaN, infinity, a
             wrong shape), takes too long, or its worker dies. ``"record"`` goes on: its command and

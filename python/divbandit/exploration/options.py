@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from divbandit._checks import one_of, positive, whole
+from divbandit._checks import one_of, whole
+from divbandit._duration import seconds
 from divbandit.callbacks.protocol import check_callback
 from divbandit.environments import Environment
 from divbandit.exploration.watching import Every, period
@@ -29,7 +30,7 @@ class Options:
     executor: Executor | None = None
     in_flight: int | None = None
     batch: int = 1
-    timeout: float | None = None
+    timeout: float | str | None = None
     on_error: OnError = "raise"
     max_failures: int | None = None
     callbacks: Iterable[CallbackLike] = ()
@@ -43,7 +44,7 @@ class Options:
                 whole(name, value, low=1)
         self._check_where()
         if self.timeout is not None:
-            positive("timeout", self.timeout)
+            object.__setattr__(self, "timeout", seconds("timeout", self.timeout))
             if self.jobs is None:
                 raise ValueError(
                     f"timeout needs worker processes that can be ended, such as jobs=1, "

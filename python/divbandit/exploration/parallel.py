@@ -48,7 +48,7 @@ class Parallel:
             else Workers(
                 partial(evaluate, environment, pickled=True),
                 options.jobs,
-                options.timeout,
+                options.timeout,  # type: ignore[arg-type] # in seconds, as checked
                 user="jobs",
             )
         )

@@ -129,7 +129,7 @@ def usage_of(
     Returns
     -------
     numpy.ndarray of float64, shape (n, strategies)
-        In [0, 1]; each row sums to 1.
+        In [0, 1]; each row sums to 1, or is NaN where there are evaluations of the past alone.
 
     Raises
     ------
@@ -147,9 +147,13 @@ def usage_of(
     window = whole("window", window, low=1)
     choices = data.choices if isinstance(data, Exploration) else np.asarray(data)
     indices = choices.ndim == 1 and choices.size > 0 and choices.dtype.kind in "iu"
-    if not indices or choices.min() < 0:
-        raise ValueError(f"data must hold choices, indices of shape (n,), got {choices!r}")
-    least = int(choices.max()) + 1
+    if not indices:
+        got = f"{choices.dtype} of shape {choices.shape}"
+        raise ValueError(f"data must hold choices, indices of shape (n,), got {got}")
+    if choices.min() < 0 and not isinstance(data, Exploration):
+        where = int(choices.argmin())
+        raise ValueError(f"data must hold indices of strategies, got {choices[where]} at {where}")
+    least = max(int(choices.max()) + 1, 1)
     if strategies is None:
         known = data.estimates if isinstance(data, Exploration) else None
         strategies = least if known is None else known.shape[1]
@@ -159,5 +163,7 @@ def usage_of(
     steps = np.arange(len(choices))
     first = np.maximum(steps - window // 2, 0)
     last = np.minimum(steps - window // 2 + window, len(choices))
-    shares: NDArray[np.float64] = (counts[last] - counts[first]) / (last - first)[:, None]
+    chosen = counts[last] - counts[first]
+    with np.errstate(invalid="ignore"):
+        shares: NDArray[np.float64] = chosen / chosen.sum(axis=1, keepdims=True)
     return shares

@@ -241,7 +241,13 @@ class Starter:
 
     def copy_of(self, part: Part) -> Part:
         """Return a deep copy of a user's part; what parts share, their copies share."""
-        return copy.deepcopy(part, self._copies)
+        try:
+            return copy.deepcopy(part, self._copies)
+        except TypeError as error:  # what runs in Rust cannot be copied
+            raise TypeError(
+                f"strategy must be one that can be copied, as it was given to an explorer, "
+                f"not what runs in it, got {type(part).__name__}: {error}"
+            ) from None
 
     def value_or_copy(self, part: Part) -> Part:
         """Return a value of the library as it is, and a deep copy of a user's part."""

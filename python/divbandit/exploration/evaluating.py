@@ -49,11 +49,10 @@ def evaluate(
 
     Examples
     --------
-    >>> import numpy as np
     >>> import divbandit as db
-    >>> box = db.FunctionEnvironment(lambda x: 1 / x, db.Box([0], [1]))
-    >>> [outcome.reason for outcome in evaluate(box, [np.ones(1), [0]])]
-    ['', "TypeError: unsupported operand type(s) for /: 'int' and 'list'"]
+    >>> box = db.FunctionEnvironment(lambda x: {0.5: [1.0]}[x[0]], db.Box([0], [1]))
+    >>> [outcome.reason for outcome in evaluate(box, [[0.5], [0]])]
+    ['', 'KeyError: 0']
     """
     effects = _at_once(environment, commands)
     outcomes = []

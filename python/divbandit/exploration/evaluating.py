@@ -50,9 +50,9 @@ def evaluate(
     Examples
     --------
     >>> import divbandit as db
-    >>> box = db.FunctionEnvironment(lambda x: {0.5: [1.0]}[x[0]], db.Box([0], [1]))
-    >>> [outcome.reason for outcome in evaluate(box, [[0.5], [0]])]
-    ['', 'KeyError: 0']
+    >>> box = db.FunctionEnvironment(lambda x: 1 / int(x[0]), db.Box([0], [1]))
+    >>> [outcome.reason for outcome in evaluate(box, [[1], [0]])]
+    ['', 'ZeroDivisionError: division by zero']
     """
     effects = _at_once(environment, commands)
     outcomes = []

@@ -1,6 +1,6 @@
 """What running costs beside the black box: processes, progress, checkpoints.
 
-A black box that takes 20 ms, over two processes and one after the other; one that does nothing,
+A black box that takes 20 ms, over two processes that run and one after the other; an idle one,
 with progress and a checkpoint; a million trials in the engine, with a checkpoint every thousand and
 without. What each may cost at most is said at the end.
 
@@ -46,8 +46,10 @@ def main():
     quick = parser.parse_args().quick
     slow, n, long = (50, 5_000, 100_000) if quick else (200, 50_000, 1_000_000)
 
-    alone, beside = seconds(Waiting(), slow), seconds(Waiting(), slow, jobs=JOBS)
-    one, several = many(slow // 4, 1), many(slow // 4, JOBS)
+    alone, beside = (
+        further(lambda n, j=j: seconds(Waiting(), n, jobs=j), slow) for j in (None, JOBS)
+    )
+    one, several = (further(lambda n, j=j: many(n // 4, j), slow) for j in (1, JOBS))
     bare = fastest(lambda: seconds(idle(), n), repeat=3)[1]
     watched = min(with_progress(idle(), n) for _ in range(3))
     plain, written = seconds(ARM, long), with_checkpoint(ARM, long)
@@ -74,6 +76,11 @@ def main():
     ]
     for work, found, most in limits:
         print(f"{work}: {found:.2f}, at most {most:.2f}" + ("" if found <= most else ": EXCEEDED"))
+
+
+def further(work, n):
+    """Return what n trials more cost, the start of processes not counted."""
+    return work(2 * n) - work(n)
 
 
 def seconds(environment, n, **options):

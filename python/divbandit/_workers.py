@@ -189,10 +189,11 @@ class _Worker:
             raise LostError from error
 
     def dismiss(self) -> None:
-        """Tell the process, which is idle, to end."""
-        with suppress(OSError, AttributeError):
-            self._pipe.send(None)
-            self._is_dismissed = True
+        """Tell the process, which is idle, to end, unless it is still beginning."""
+        if self._is_ready:
+            with suppress(OSError):
+                self._pipe.send(None)
+                self._is_dismissed = True
 
     def close(self, until: float) -> None:
         """End the process; one that was dismissed may do so itself until then."""
@@ -231,12 +232,21 @@ def _work(function: bytes, pipe: Connection[Any, Any]) -> None:
         return
     pipe.send("")
     me = os.getpid()
-    while (message := pipe.recv()) is not None:
+    while (message := _next(pipe)) is not None:
         number, arguments = message
         result = call(*arguments)
         if os.getpid() != me:  # the function has forked, and come back twice
             os._exit(0)
-        pipe.send((number, result))
+        with suppress(OSError):  # as in `_next`
+            pipe.send((number, result))
+
+
+def _next(pipe: Connection[Any, Any]) -> Any:  # noqa: ANN401 - a message
+    """Return the next message; None if the process that sends them has been killed."""
+    try:
+        return pipe.recv()
+    except (EOFError, OSError):
+        return None
 
 
 def _end_with(parent: int) -> None:

@@ -88,7 +88,8 @@ class RibsEmitter(StrategyValue):
     ----------
     emitter : {"line", "evolution"} or callable
         MAP-Elites by steps along lines between elites, CMA-ME by improvement, or a function of
-        an archive and a seed that makes an emitter. Solutions are shares of the motor ranges.
+        an archive and a seed that makes an emitter. Solutions are shares of the motor ranges, from
+        0, the lower limit, to 1: an emitter that starts in the middle has ``x0=[0.5] * m``.
     box : Box or object with ``low`` and ``high``, optional
         The extent of the archive's grid; by default the sensory space.
     cells : int

@@ -49,12 +49,15 @@ class RibsScheduler:
     result_archive : ribs.archives.ArchiveBase, optional
         A second archive to which all solutions are added.
     num_active : int
-        How many emitters are asked at a time. So often does the bandit choose; an emitter that is
-        chosen again leaves its place to the one with the largest estimate of those that are left.
+        How many emitters are asked at a time. The bandit chooses as many times, at each `ask`, so
+        that there is no ``reselect``; an emitter that is chosen again leaves its place to the one
+        with the largest estimate of those that are left.
     add_mode : {"batch", "single"}
         Whether solutions are added to the archives together, or one by one.
     rng : Generator, SeedSequence, int or None
         Where the bandit's draws come from. Emitters have their own.
+
+    It cannot be pickled: save the archive.
 
     Attributes
     ----------

@@ -36,6 +36,8 @@ class RibsScheduler:
     reward, found as in any exploration, with the measures as effects: by default what they add to
     the area covered so far.
 
+    It cannot be pickled, as pyribs' schedulers can: save the archive.
+
     Parameters
     ----------
     archive : ribs.archives.ArchiveBase
@@ -56,8 +58,6 @@ class RibsScheduler:
         Whether solutions are added to the archives together, or one by one.
     rng : Generator, SeedSequence, int or None
         Where the bandit's draws come from. Emitters have their own.
-
-    It cannot be pickled: save the archive.
 
     Attributes
     ----------

@@ -230,7 +230,10 @@ def _work(function: bytes, pipe: Connection[Any, Any]) -> None:
     except BaseException as error:  # noqa: BLE001 - a user's object may raise anything
         pipe.send(f"{type(error).__name__}: {error}")
         return
-    pipe.send("")
+    try:
+        pipe.send("")
+    except OSError:  # the process that it works for has ended
+        return
     me = os.getpid()
     while (message := _next(pipe)) is not None:
         number, arguments = message

@@ -75,8 +75,9 @@ def explore_many(
         Iterated over in the thread that iterates over the results.
     keep : callable, optional
         Called with each Exploration; what it returns is yielded instead, so that a million
-        explorations do not need the memory of a million histories. It is called from several
-        threads at once. By default the Exploration itself is yielded.
+        explorations do not need the memory of a million histories. It is called where the task is
+        explored: in several threads at once, or in a worker process. By default the Exploration
+        itself is yielded.
     rng : None, int, SeedSequence or Generator
         Seeds the tasks without ``rng``, each according to its place: the task at place i gets the
         seed ``SeedSequence(rng).spawn(i + 1)[i]``, the i-th child of a new sequence. A SeedSequence
@@ -121,7 +122,8 @@ def explore_many(
 
     Nothing starts before the first result is requested. All explorations stop between two steps
     when the iterator is closed or dropped, when one of them fails, on Ctrl-C while waiting for a
-    result, and when the program exits. A call of an environment or of `keep` is completed first.
+    result, and when the program exits. In a thread, a call of an environment or of `keep` is
+    completed first; worker processes are ended.
 
     If several explorations share a Generator, the order of their draws is arbitrary: give each a
     seed instead.

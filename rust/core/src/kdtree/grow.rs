@@ -22,7 +22,7 @@ impl<'a> Rows<'a> {
 }
 
 impl Node {
-    /// Files another point; builds the highest subtree anew that it makes too unequal.
+    /// Files another point; rebuilds the highest subtree that it makes too unequal.
     pub fn insert(&mut self, index: u32, points: Rows) {
         let point = points.get(index);
         widen(&mut self.bounds, point);

@@ -14,8 +14,8 @@ from tests.real_life.stopped import PLACES
 if sys.platform == "win32":
     pytest.skip("no SIGINT for another process", allow_module_level=True)
 
-#: Seconds from Ctrl-C to the end of a run, on a machine that is busy with other tests.
-SOON = 5.0
+#: Seconds from Ctrl-C to the end of a run that does not hang, however busy the machine is.
+SOON = 60.0
 
 
 @pytest.mark.parametrize("engine", ["rust", "python", "mine"])
@@ -58,7 +58,7 @@ def stop(where, times, folder):
                 # Python does not pass on what is raised while it collects garbage.
                 while not select.select([process.stdout], [], [], 2)[0]:
                     process.send_signal(signal.SIGINT)
-                    assert time.monotonic() < start + 10
+                    assert time.monotonic() < start + SOON
                 assert process.stdout.readline() == b"over\n"
                 took.append(time.monotonic() - start)
             assert process.stdout.readline() == b"done\n"

@@ -1,10 +1,8 @@
 //! The arm is a chain of rigid motions, and says so in the same bits however it is asked.
 
-mod oracles;
-
+use crate::oracles::{Stream, fixed};
 use divbandit_core::PlanarArm;
 use nalgebra::{Isometry2, Point2, Translation2, Vector2};
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
 
 const LIMIT: f64 = 150.0 / 180.0 * std::f64::consts::PI;

@@ -1,21 +1,20 @@
 //! Proposals under way: told in any order, failed, and the dimension that the first effect tells.
 
-mod oracles;
-mod runs;
-
+use crate::oracles::{Stream, fixed};
+use crate::runs::{
+    LIMIT, Run, adapt, arm, bits, cube, explored, gain, goal_babbling, mixed, nested,
+};
 use divbandit_core::bandits::Bandit;
 use divbandit_core::bandits::estimators::EstimatorKind;
 use divbandit_core::bandits::policies::PolicyKind;
 use divbandit_core::strategies::{MotorBabbling, Schedule};
 use divbandit_core::{Composition, Coverage, Exploration, History, Proposal};
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
-use runs::{LIMIT, Run, adapt, arm, bits, cube, explored, gain, goal_babbling, mixed, nested};
 
 /// The mean of the last `size` rewards, by plain lists.
 fn mean_of_last(size: usize, rewards: &[f64]) -> f64 {
     let last = &rewards[rewards.len().saturating_sub(size)..];
-    oracles::sums::in_parts(last) / last.len() as f64
+    crate::oracles::sums::in_parts(last) / last.len() as f64
 }
 
 fn path(proposal: &Proposal) -> Vec<i64> {

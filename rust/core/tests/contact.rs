@@ -1,9 +1,7 @@
 //! First contact against brute force: ten thousand small steps, with parry's own queries for whole shapes.
 
-mod oracles;
-
+use crate::oracles::Stream;
 use divbandit_core::{Error, Obstacle, ObstructedArm, PlanarArm};
-use oracles::Stream;
 use parry2d_f64::math::{Pose, Vector};
 use parry2d_f64::query::{distance, intersection_test};
 use parry2d_f64::shape::{Ball, Capsule, ConvexPolygon, Shape};

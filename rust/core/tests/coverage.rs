@@ -1,11 +1,9 @@
 //! What a measure of a growing union must obey, whatever the effects are.
 
-mod oracles;
-
 use std::f64::consts::PI;
 
+use crate::oracles::{Stream, fixed, scatter};
 use divbandit_core::{Coverage, Error};
-use oracles::{Stream, fixed, scatter};
 use proptest::prelude::*;
 
 proptest! {

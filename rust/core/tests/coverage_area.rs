@@ -1,11 +1,9 @@
 //! The measure is the area of the union, found in a second way: by vertical slabs.
 
-mod oracles;
-
 use std::f64::consts::{PI, TAU};
 
+use crate::oracles::{Stream, fixed, scatter, union_area};
 use divbandit_core::Coverage;
-use oracles::{Stream, fixed, scatter, union_area};
 use proptest::prelude::*;
 
 /// Checks the measure, and with it each of the other ways to the same area.

@@ -1,15 +1,11 @@
 //! The boundary's loops where they are known beforehand: how many there are, of which arcs.
 
-#[path = "oracles/loops.rs"]
-mod loops;
-mod oracles;
-
 use std::f64::consts::TAU;
 
+use crate::oracles::Stream;
+use crate::oracles::loops::{boundary, check, check_orders, components, lattice, ring};
 use divbandit_core::Coverage;
 use divbandit_core::coverage::BoundaryArc;
-use loops::{boundary, check, check_orders, components, lattice, ring};
-use oracles::Stream;
 
 #[test]
 fn of_nothing_is_nothing() {

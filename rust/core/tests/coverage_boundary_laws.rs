@@ -1,14 +1,12 @@
 //! Laws of the boundary's loops: closed, on the right side, as many as there are parts and
 //! holes, around the area that is the measure; and what they must not depend on.
 
-#[path = "oracles/loops.rs"]
-mod loops;
-mod oracles;
-
 use std::f64::consts::TAU;
 
-use loops::{boundary, check, components, counts, euler_characteristic, overlap, ring};
-use oracles::{Stream, fixed, scatter};
+use crate::oracles::loops::{
+    boundary, check, components, counts, euler_characteristic, overlap, ring,
+};
+use crate::oracles::{Stream, fixed, scatter};
 use proptest::prelude::*;
 
 proptest! {

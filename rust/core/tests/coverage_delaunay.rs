@@ -1,14 +1,10 @@
 //! Gains and totals agree with those of another family: Voronoi cells on a Delaunay triangulation.
 
-#[path = "oracles/delaunay/mod.rs"]
-mod delaunay;
-mod oracles;
-
 use std::f64::consts::{PI, TAU};
 
-use delaunay::Cells;
+use crate::delaunay::Cells;
+use crate::oracles::{Stream, fixed, scatter, union_area};
 use divbandit_core::Coverage;
-use oracles::{Stream, fixed, scatter, union_area};
 use proptest::prelude::*;
 
 /// How far two gains may be apart, in discs. Seen were 1e-15.
@@ -50,7 +46,7 @@ proptest! {
         n in 1..40_usize, spread in -6.0..1.2_f64, lattice: bool, tau in 0.001..3.0_f64, seed: u64,
     ) {
         let effects = scatter(n, 10_f64.powf(spread), lattice, tau, seed);
-        let error = delaunay::union_area(&effects, tau) - union_area(&effects, tau);
+        let error = crate::delaunay::union_area(&effects, tau) - union_area(&effects, tau);
         prop_assert!(error.abs() <= 1e-10 * PI * tau * tau);
     }
 }
@@ -142,7 +138,7 @@ fn and_both_with_a_closed_form() {
             set.iter().for_each(|&effect| {
                 coverage.add(effect).unwrap();
             });
-            let theirs = delaunay::union_area(&set, 1.0);
+            let theirs = crate::delaunay::union_area(&set, 1.0);
             let error = [coverage.measure(), theirs].map(|measure| (measure / area - 1.0).abs());
             println!("{n} centres at {radius}: ours {:.1e}, Delaunay {:.1e}", error[0], error[1]);
             assert!(error[0] <= ALL && error[1] <= 1e-14, "{n}, {radius}: {error:?}");

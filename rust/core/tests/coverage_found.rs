@@ -1,9 +1,7 @@
 //! What fuzzing found once: few effects, and the kernel was wrong.
 
-mod oracles;
-
+use crate::oracles::{Stream, union_area};
 use divbandit_core::Coverage;
-use oracles::{Stream, union_area};
 
 fn total<const D: usize>(effects: &[[f64; D]], tau: f64) -> f64 {
     let mut coverage = Coverage::new(tau, D).unwrap();

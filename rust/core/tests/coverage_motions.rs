@@ -1,10 +1,8 @@
 //! The measure depends neither on the order of the effects nor on where they lie, and grows
 //! with the square of the scale.
 
-mod oracles;
-
+use crate::oracles::{Stream, fixed, scatter};
 use divbandit_core::Coverage;
-use oracles::{Stream, fixed, scatter};
 use proptest::prelude::*;
 
 fn measure(effects: &[[f64; 2]], tau: f64) -> f64 {

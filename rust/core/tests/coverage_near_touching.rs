@@ -1,12 +1,10 @@
 //! Discs that nearly coincide and nearly touch a third, where a crossing of two circles is
 //! ill-conditioned: half of all digits of the distance are lost in the crossing's place.
 
-mod oracles;
-
 use std::f64::consts::{PI, TAU};
 
+use crate::oracles::{Stream, union_area};
 use divbandit_core::Coverage;
-use oracles::{Stream, union_area};
 
 /// 10^-1 to 10^-16, or nothing; of either sign.
 fn tiny(stream: &mut Stream) -> f64 {

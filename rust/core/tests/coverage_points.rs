@@ -5,10 +5,8 @@
 //! of B independent numbers in [0, h^2], and stays below 4 h^2 sqrt(B) but with probability
 //! 2 exp(-32) (Hoeffding). Seeds are fixed.
 
-mod oracles;
-
+use crate::oracles::{Stream, scatter};
 use divbandit_core::Coverage;
-use oracles::{Stream, scatter};
 use parry2d_f64::math::{Pose, Vector};
 use parry2d_f64::query::PointQuery;
 use parry2d_f64::shape::Ball;

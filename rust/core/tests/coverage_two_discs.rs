@@ -1,11 +1,9 @@
 //! Two discs cover what the closed formula of their lens says, at any distance.
 
-mod oracles;
-
 use std::f64::consts::{PI, TAU};
 
+use crate::oracles::Stream;
 use divbandit_core::Coverage;
-use oracles::Stream;
 
 /// What a second disc adds to a first of the same radius 1: the disc without the lens.
 ///

@@ -1,19 +1,16 @@
 //! Whatever vector instructions a CPU has, effects, gains and whole explorations have the same
 //! bits with all of them.
 
-mod oracles;
-mod runs;
-
 use std::sync::LazyLock;
 
+use crate::oracles::{Stream, fixed};
+use crate::runs::LIMIT;
 use divbandit_core::coverage::estimate::Estimate;
 use divbandit_core::history::Log;
 use divbandit_core::strategies::MotorBabbling;
 use divbandit_core::trig::sin_cos;
 use divbandit_core::{Composition, Exploration, Instructions, PlanarArm};
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
-use runs::LIMIT;
 
 /// All instructions that this CPU has: none is left out that the standard library finds.
 static AVAILABLE: LazyLock<Vec<Instructions>> = LazyLock::new(|| {
@@ -83,9 +80,9 @@ fn an_effect_is_the_same_with_all_instructions() {
 /// ADAPT over motor and goal babbling, as in the paper's figure 4, on this arm.
 fn adapt(mut arm: PlanarArm, d: f64) -> Log {
     let mut strategies = Composition::default();
-    let parts = vec![strategies.add(MotorBabbling), strategies.add(runs::goal_babbling(d))];
-    let root = strategies.compose(runs::adapt(2, 0.02, 50), parts).unwrap();
-    let mut history = runs::history(arm.joints(), true, 2);
+    let parts = vec![strategies.add(MotorBabbling), strategies.add(crate::runs::goal_babbling(d))];
+    let root = strategies.compose(crate::runs::adapt(2, 0.02, 50), parts).unwrap();
+    let mut history = crate::runs::history(arm.joints(), true, 2);
     let mut run = Exploration::new(strategies, root, &history).unwrap();
     let mut stream = Stream(1);
     run.run(&mut arm, &mut history, 3000, &mut || stream.unit()).unwrap();

@@ -1,9 +1,7 @@
 //! The laws of estimated gains: bounds, exact cases, repetition, copies, extremes.
 
-mod oracles;
-
+use crate::oracles::{Stream, fixed};
 use divbandit_core::coverage::estimate::{Estimate, Estimated};
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
 
 const EXACT_ZERO: Estimated = Estimated { gain: 0.0, standard_error: 0.0 };

@@ -1,10 +1,8 @@
 //! An exact sum has the bits of a sum on paper, whatever is in it and whatever has been.
 
-mod oracles;
-
+use crate::oracles::sums::{in_parts, on_paper};
+use crate::oracles::{Stream, fixed};
 use divbandit_core::ExactSum;
-use oracles::sums::{in_parts, on_paper};
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
 use proptest::sample::select;
 

@@ -1,12 +1,13 @@
 //! The engine, as a program in Rust uses it: it makes of ADAPT what the paper says, and keeps its
 //! laws whatever strategies are made of.
 
-mod oracles;
-mod runs;
-
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
+use crate::oracles::{Stream, fixed};
+use crate::runs::{
+    LIMIT, Run, adapt, arm, bits, explored, gain, goal_babbling, history, mixed, nested,
+};
 use divbandit_core::bandits::Bandit;
 use divbandit_core::bandits::estimators::EstimatorKind;
 use divbandit_core::bandits::policies::{Choice, PolicyKind};
@@ -14,9 +15,7 @@ use divbandit_core::bandits::rewards::RewardKind;
 use divbandit_core::history::Log;
 use divbandit_core::strategies::{Composite, Mixture, MotorBabbling, Schedule};
 use divbandit_core::{Composition, Coverage, Error, Exploration, UniformStream};
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
-use runs::{LIMIT, Run, adapt, arm, bits, explored, gain, goal_babbling, history, mixed, nested};
 
 proptest! {
     #![proptest_config(fixed(60))]
@@ -28,7 +27,7 @@ proptest! {
         alpha in 0.0..1.0_f64, head_start in 0..3_usize, seed: u64,
     ) {
         let head_start = head_start.min(window);
-        let plain = oracles::adapt::Adapt { m, limit: LIMIT, d, tau, window, alpha, head_start };
+        let plain = crate::oracles::adapt::Adapt { m, limit: LIMIT, d, tau, window, alpha, head_start };
         let f = |command: &[f64]| arm(m).effect(command).unwrap().to_vec();
         let steps = plain.explore(300, &mut Stream(seed), f);
 
@@ -180,7 +179,7 @@ fn a_nested_bandit_is_told_of_its_own_effects_measured_against_all() {
 /// The mean of the last `size` gains.
 fn mean_of_last(size: usize, gains: &[f64]) -> f64 {
     let last = &gains[gains.len().saturating_sub(size)..];
-    oracles::sums::in_parts(last) / last.len() as f64
+    crate::oracles::sums::in_parts(last) / last.len() as f64
 }
 
 /// Two bandits, one in the other: with other radii each is told in its own measure, with the same

@@ -1,10 +1,9 @@
 //! What the engine and its strategies refuse is said in plain words, and nothing is lost by it.
 
-mod oracles;
-mod runs;
-
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::oracles::Stream;
+use crate::runs::{LIMIT, Run, arm, cube, explored, gain, goal_babbling, message, mixed, nested};
 use divbandit_core::bandits::Bandit;
 use divbandit_core::bandits::estimators::EstimatorKind;
 use divbandit_core::bandits::policies::{self, PolicyKind};
@@ -16,14 +15,12 @@ use divbandit_core::strategies::{
     Composite, GoalBabbling, Mixture, MotorBabbling, Schedule, Strategy,
 };
 use divbandit_core::{Composition, Environment, Error, Exploration, History, UniformStream};
-use oracles::Stream;
-use runs::{LIMIT, Run, arm, cube, explored, gain, goal_babbling, message, mixed, nested};
 
 #[test]
 fn goal_babbling_without_commands_is_refused() {
     let (strategies, root) = nested(0.05, 0.1);
     assert!(strategies.needs_commands());
-    let refused = Exploration::new(strategies, root, &runs::history(3, false, 2));
+    let refused = Exploration::new(strategies, root, &crate::runs::history(3, false, 2));
     assert_eq!(message(refused), "commands must not be empty");
 }
 
@@ -58,7 +55,7 @@ fn a_composition_refuses_parts_that_are_not_there_or_do_not_fit() {
     }
     // Nothing was added.
     assert_eq!(strategies.compose(pair(), vec![motor; 2]), Ok(1));
-    let refused = Exploration::new(strategies, 2, &runs::history(3, true, 0));
+    let refused = Exploration::new(strategies, 2, &crate::runs::history(3, true, 0));
     assert_eq!(message(refused), "part must be one of 2 parts, got 2");
 }
 
@@ -225,7 +222,7 @@ fn a_reward_that_could_not_be_summed_up_is_refused() {
 #[test]
 fn a_reward_asked_about_another_history_says_so() {
     let history = |effects: &[[f64; 2]]| {
-        oracles::past::past(
+        crate::oracles::past::past(
             &cube(1, 1.0),
             None,
             2,
@@ -233,7 +230,7 @@ fn a_reward_asked_about_another_history_says_so() {
             effects.as_flattened(),
         )
     };
-    let line = oracles::past::past(&cube(1, 1.0), None, 1, &[0.5], &[0.5]);
+    let line = crate::oracles::past::past(&cube(1, 1.0), None, 1, &[0.5], &[0.5]);
     for kind in [gain(0.1), RewardKind::CompetenceProgress] {
         let mut reward = kind.start(2).unwrap();
         let goal = Some(&[0.0, 0.0][..]);
@@ -247,7 +244,7 @@ fn a_reward_asked_about_another_history_says_so() {
 
 #[test]
 fn estimates_of_another_number_than_is_logged_are_refused() {
-    let mut history = runs::history(1, true, 2);
+    let mut history = crate::runs::history(1, true, 2);
     let refused = history.record(&[0.0], &[0.0, 0.0], &[1], &[0.5]);
     assert_eq!(message(refused), "estimates must have length 2, got 1");
     assert!(history.is_empty());

@@ -1,8 +1,5 @@
 //! The laws that the fuzzers check hold for their seeds, in every run of the tests.
 
-mod laws;
-mod oracles;
-
 use std::fs;
 use std::path::Path;
 
@@ -23,10 +20,10 @@ fn replay(folder: &str, check: fn(&[u8])) {
 
 #[test]
 fn in_the_plane() {
-    replay("plane", laws::plane::check_bytes);
+    replay("plane", crate::laws::plane::check_bytes);
 }
 
 #[test]
 fn in_space() {
-    replay("space", laws::space::check_bytes);
+    replay("space", crate::laws::space::check_bytes);
 }

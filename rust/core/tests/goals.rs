@@ -1,13 +1,11 @@
 //! Goals that are drawn by what is known are those of a plain search over the same draws.
 
-mod oracles;
-
+use crate::oracles::past::past;
+use crate::oracles::{Stream, by_distance, fixed};
 use divbandit_core::goals::{
     Cells, Frontier, GoalSampler, Grid, Novel, Uncovered, Uniform, Untried,
 };
 use divbandit_core::{Bounds, Error, History, UniformStream};
-use oracles::past::past;
-use oracles::{Stream, by_distance, fixed};
 use proptest::prelude::*;
 
 /// Effects in and around a box, and their history.

@@ -1,11 +1,9 @@
 //! A perturbed command stays in the box and near its parent, and costs one draw a coordinate.
 
-mod oracles;
-
+use crate::oracles::past::past;
+use crate::oracles::{Stream, by_distance, fixed};
 use divbandit_core::inverse::{InverseModel, Nearest};
 use divbandit_core::{Bounds, History};
-use oracles::past::past;
-use oracles::{Stream, by_distance, fixed};
 use proptest::prelude::*;
 
 /// What an exploration knows: effects in 2-D and the commands behind them.

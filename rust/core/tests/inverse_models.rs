@@ -1,12 +1,10 @@
 //! Inverse models that look at several effects: exact where the answer is known, and never out of
 //! the motor space.
 
-mod oracles;
-
+use crate::oracles::past::past;
+use crate::oracles::{Stream, fixed};
 use divbandit_core::inverse::{InverseModel, KNearest, LocalRegression};
 use divbandit_core::{Bounds, Error, History};
-use oracles::past::past;
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
 
 /// `n` effects in R^s, some of them the same, and commands in R^m.

@@ -4,10 +4,8 @@
 //! between their empirical distribution and the uniform one exceeds 1.95 with probability
 //! 0.001. The seeds are fixed, so the outcome is too.
 
-mod oracles;
-
+use crate::oracles::Stream;
 use divbandit_core::Bounds;
-use oracles::Stream;
 
 const N: usize = 20_000;
 const CRITICAL: f64 = 1.95;

@@ -1,10 +1,8 @@
 //! The tree answers exactly as a search through all points does, in every dimension and for
 //! every arrangement of the points.
 
-mod oracles;
-
+use crate::oracles::{Stream, by_distance, fixed};
 use divbandit_core::NearestNeighbors;
-use oracles::{Stream, by_distance, fixed};
 use proptest::prelude::*;
 
 /// An arrangement of points; each is easy for some trees and hard for others.

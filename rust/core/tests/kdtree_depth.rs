@@ -1,9 +1,7 @@
 //! The tree stays shallow for any order of arrival, and right where it is large.
 
-mod oracles;
-
+use crate::oracles::{Stream, by_distance};
 use divbandit_core::NearestNeighbors;
-use oracles::{Stream, by_distance};
 
 const N: usize = 100_000;
 

@@ -1,13 +1,11 @@
 //! Each measure equals a slow and plain computation of the same thing, from all effects at once.
 
-mod oracles;
-
+use crate::oracles::sums::on_paper;
+use crate::oracles::{Stream, fixed};
 use divbandit_core::Coverage;
 use divbandit_core::coverage::Sampling;
 use divbandit_core::elementary::log;
 use divbandit_core::measures::{KEY, Measure, MeasureKind, PerCoordinate};
-use oracles::sums::on_paper;
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
 use proptest::sample::select;
 

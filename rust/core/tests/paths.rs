@@ -1,9 +1,7 @@
 //! The tree of paths equals a plain list of paths.
 
-mod oracles;
-
+use crate::oracles::fixed;
 use divbandit_core::paths::{Paths, ROOT};
-use oracles::fixed;
 use proptest::prelude::*;
 
 proptest! {

@@ -1,12 +1,10 @@
 //! What holds for any union of balls: order, gains, duplicates, motions, extremes.
 
-mod oracles;
-
 use std::f64::consts::PI;
 
+use crate::oracles::space::scatter;
+use crate::oracles::{Stream, fixed};
 use divbandit_core::coverage::space::Balls;
-use oracles::space::scatter;
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
 
 const BALL: f64 = 4.0 * PI / 3.0;

@@ -1,12 +1,10 @@
 //! The volume agrees with slices and with closed forms.
 
-mod oracles;
-
 use std::f64::consts::{PI, SQRT_2};
 
+use crate::oracles::fixed;
+use crate::oracles::space::{scatter, union_volume};
 use divbandit_core::coverage::space::Balls;
-use oracles::fixed;
-use oracles::space::{scatter, union_volume};
 use proptest::prelude::*;
 
 const BALL: f64 = 4.0 * PI / 3.0;

@@ -1,13 +1,11 @@
 //! The local model's steps equal a plain solution of its equations; whatever was observed, commands
 //! stay in the box and cost one draw a coordinate.
 
-mod oracles;
-
+use crate::oracles::past::past;
+use crate::oracles::{Stream, by_distance, fixed};
 use divbandit_core::inverse::{InverseModel, LocalJacobian};
 use divbandit_core::{Bounds, Error, History, UniformStream};
 use nalgebra::{DMatrix, DVector};
-use oracles::past::past;
-use oracles::{Stream, by_distance, fixed};
 use proptest::prelude::*;
 
 /// What an exploration knows.

@@ -1,10 +1,8 @@
 //! A window has the mean of a plain list of its rewards, bit for bit, after any number of them.
 
-mod oracles;
-
+use crate::oracles::sums::{in_parts, on_paper};
+use crate::oracles::{Stream, fixed};
 use divbandit_core::bandits::estimators::{Estimator, EstimatorKind};
-use oracles::sums::{in_parts, on_paper};
-use oracles::{Stream, fixed};
 use proptest::prelude::*;
 
 /// Gains as they are, and as a user's own measure may give them; far from overflow.

@@ -4,6 +4,8 @@
 #![allow(dead_code, reason = "each test takes the part that it needs")]
 
 pub mod adapt;
+pub mod coplanar;
+pub mod loops;
 pub mod past;
 pub mod space;
 pub mod sums;

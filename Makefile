@@ -82,7 +82,7 @@ $(FUZZ):
 
 $(VENV)/.run: requirements.txt
 	$(PYTHON) -m venv $(VENV)
-	$(PIP) maturin matplotlib numpy tqdm
+	$(PIP) cloudpickle loky maturin matplotlib numpy tqdm
 	touch $@
 
 $(VENV)/.test: $(VENV)/.run requirements.txt

@@ -12,6 +12,7 @@ import divbandit as db
 ORDER = (
     "_core",
     "_library",
+    "_portable",
     "_workers",
     "_files",
     "_checks",

@@ -6,6 +6,8 @@ from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from divbandit._core import undisturbed
+
 if TYPE_CHECKING:
     from types import ModuleType
 
@@ -24,8 +26,8 @@ def library(name: str, *, user: str, extra: str | None = None) -> ModuleType:
         ...
     ModuleNotFoundError: Example needs not_there: pip install 'divbandit[not_there]'
     """
-    try:
-        return import_module(name)
+    try:  # a library whose import was interrupted cannot be imported again
+        return undisturbed(import_module, name)
     except ModuleNotFoundError as error:
         if error.name != name:  # it is there, and lacks something itself
             raise

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from divbandit._core import undisturbed
 from divbandit._library import library
+from divbandit._portable import portable
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
@@ -49,7 +50,7 @@ class Workers:
     Parameters
     ----------
     function : callable
-        Sent to each worker once. What it raises ends the worker.
+        Sent to each worker once.
     jobs : int
         How many there are.
     timeout : float or None
@@ -136,17 +137,22 @@ class _Worker:
             theirs.close()
 
     def call(self, *arguments: object, calls: int = 1) -> Any:  # noqa: ANN401 - what it returns
-        """Return what the function returns, in the time for so many calls.
+        """Return what the function returns, in the time for so many calls, or raise what it raises.
 
         Raises a LostError if the process dies, or takes too long; it is replaced.
         """
         try:
-            return self._answer(arguments, calls)
+            result, error = self._answer(arguments, calls)
         except LostError:
             self.start()
             raise
+        if error is not None:
+            raise error
+        return result
 
-    def _answer(self, arguments: tuple[object, ...], calls: int) -> Any:  # noqa: ANN401
+    def _answer(
+        self, arguments: tuple[object, ...], calls: int
+    ) -> tuple[Any, BaseException | None]:
         if not self._process.is_alive():  # it has died when there was nothing to do
             self.start()
         process = self._process
@@ -158,9 +164,9 @@ class _Worker:
             while process.is_alive() or self._pipe.poll():
                 left = _GLANCE if end is None else min(_GLANCE, end - monotonic())
                 if self._pipe in wait([self._pipe, process.sentinel], max(0, left)):
-                    number, result = self._received()
+                    number, *answer = self._received()
                     if number == self._sent:
-                        return result
+                        return answer[0], answer[1]
                 elif left <= 0:
                     late = TimeoutError(f"no effect within timeout = {self._timeout:g} s")
                     raise LostError from late
@@ -237,11 +243,20 @@ def _work(function: bytes, pipe: Connection[Any, Any]) -> None:
     me = os.getpid()
     while (message := _next(pipe)) is not None:
         number, arguments = message
-        result = call(*arguments)
+        result, problem = None, None
+        try:
+            result = call(*arguments)
+        except BaseException as error:  # noqa: BLE001 - raised where it was called from
+            problem = portable(error)
         if os.getpid() != me:  # the function has forked, and come back twice
             os._exit(0)
         with suppress(OSError):  # as in `_next`
-            pipe.send((number, result))
+            try:
+                pipe.send((number, result, problem))
+            except OSError:
+                raise
+            except Exception as error:  # noqa: BLE001 - pickling may fail in any way
+                pipe.send((number, None, portable(error)))
 
 
 def _next(pipe: Connection[Any, Any]) -> Any:  # noqa: ANN401 - a message

@@ -8,6 +8,7 @@ from pathlib import Path
 from tests.real_life.stopped import PLACES
 from tests.real_life.test_interrupts import press, stop
 from tests.real_life.test_kills import kill
+from tests.studies.test_processes import interrupt
 
 
 def main():
@@ -22,6 +23,9 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             took = stop(where, 50, Path(folder))
         report(f"{where}: 50 runs ended after at most {max(took):.2f} s")
+    with tempfile.TemporaryDirectory() as folder:
+        took = interrupt(50, Path(folder))
+    report(f"a study: 50 ended after at most {max(took):.2f} s")
     for jobs in (0, 2):
         with tempfile.TemporaryDirectory() as folder:
             kill(jobs, 30, Path(folder))

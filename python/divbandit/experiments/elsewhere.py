@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 from numpy.random import Generator
 
 from divbandit._library import library
+from divbandit._portable import portable
 from divbandit._workers import LostError, Workers
 from divbandit.environments import PlanarArm, PushArm
 from divbandit.exploration.drivers import runs_in_rust
-from divbandit.exploration.evaluating import portable
 from divbandit.exploration.explore import explore
 
 if TYPE_CHECKING:
@@ -86,12 +86,9 @@ class Elsewhere:
 def _answered(call: Call, sent: bytes, rng: Rng) -> object:
     """Return what a worker has kept of a task, or raise what it has raised."""
     try:
-        kept, error = call(sent, rng)
+        return call(sent, rng)
     except LostError as lost:
         raise (lost.__cause__ or lost) from None
-    if error is not None:
-        raise error
-    return kept
 
 
 def _runs_in_rust(task: Task) -> bool:
@@ -119,10 +116,7 @@ def explored(task: Task, rng: Rng, keep: Keep) -> object:
         raise portable(error) from None
 
 
-def _explored(sent: bytes, rng: Rng) -> tuple[object, BaseException | None]:
-    """Do so in a worker: nothing gets past it."""
-    try:
-        task, keep = library("cloudpickle", user="explore_many").loads(sent)
-        return explored(task, rng, keep), None
-    except BaseException as error:  # noqa: BLE001 - sent to where it is raised
-        return None, portable(error)
+def _explored(sent: bytes, rng: Rng) -> object:
+    """Do so in a worker."""
+    task, keep = library("cloudpickle", user="explore_many").loads(sent)
+    return explored(task, rng, keep)

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import pickle
 import sys
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from divbandit._core import as_point
+from divbandit._portable import portable, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -75,37 +75,6 @@ def _at_once(environment: Environment, commands: Sequence[NDArray[np.float64]]) 
             effects = list(np.asarray(environment(np.stack(commands))))
             return effects if len(effects) == len(commands) else None
     return None
-
-
-def portable(error: BaseException) -> BaseException:
-    """Return an exception that survives being sent to another process: itself, if it does.
-
-    Examples
-    --------
-    >>> portable(ValueError("no"))
-    ValueError('no')
-    """
-    try:
-        pickle.loads(pickle.dumps(error))  # noqa: S301 - our own
-    except Exception:  # noqa: BLE001 - it may fail in any way
-        return RuntimeError(reason_of(error))
-    return error
-
-
-def reason_of(error: BaseException) -> str:
-    """Return what was raised in a line: its type, and what it says.
-
-    Examples
-    --------
-    >>> reason_of(ValueError("no"))
-    'ValueError: no'
-    """
-    kind = type(error).__name__
-    try:
-        text = str(error)
-    except Exception:  # noqa: BLE001 - of a user's class
-        return f"{kind}, whose message cannot be shown"
-    return f"{kind}: {text}" if text else kind
 
 
 def note(error: BaseException, text: str) -> None:

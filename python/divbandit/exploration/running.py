@@ -11,7 +11,8 @@ from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING
 
 from divbandit._checks import whole
-from divbandit.exploration.evaluating import note, reason_of
+from divbandit._portable import reason_of
+from divbandit.exploration.evaluating import note
 from divbandit.exploration.options import check_environment
 from divbandit.exploration.parallel import Parallel
 from divbandit.exploration.saved import Checkpoint

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import signal
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from itertools import islice
-from multiprocessing import get_context
-from typing import TYPE_CHECKING, TypeVar
+from functools import partial
+from queue import SimpleQueue
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from divbandit._core import undisturbed
+from divbandit._workers import Workers
 from divbandit.experiments.cores import available_cores
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from concurrent.futures import Future
 
+    from divbandit._workers import Call
     from divbandit.experiments.explore_many import Progress
 
 Item = TypeVar("Item")
@@ -34,19 +36,18 @@ def over_processes(
     Parameters
     ----------
     function : callable
-        Defined at the top of a module, so that processes find it.
+        Picklable.
     items : sequence
         Picklable.
     jobs : int, optional
-        How many processes; by default one for each core. With 1 all is done in this one. With more,
-        a script that gets here must be guarded by ``if __name__ == "__main__":``.
+        How many processes; by default one for each core. With 1 all is done in this one.
     progress : callable, optional
         Called without arguments whenever one more is done.
 
     Raises
     ------
     Exception
-        What `function` raises, and Ctrl-C, once the calls under way have ended; no others begin.
+        What `function` raises, and Ctrl-C; calls under way in other processes are ended.
 
     Examples
     --------
@@ -55,24 +56,26 @@ def over_processes(
     """
     jobs = min(available_cores() if jobs is None else jobs, len(items))
     told = progress or (lambda: None)
-    results: dict[int, Result] = {}
+    results: list[Result] = []
     if jobs <= 1:
-        for place, item in enumerate(items):
-            results[place] = function(item)
+        for item in items:
+            results.append(function(item))
             told()
-        return list(results.values())
-    rest, running = iter(enumerate(items)), dict[Future[Result], int]()
-    with ProcessPoolExecutor(jobs, get_context("spawn"), _leave_interrupts) as executor:
-        while len(results) < len(items):
-            # No call waits in the executor's queue, out of which it cannot be taken again.
-            for place, item in islice(rest, jobs - len(running)):
-                running[executor.submit(function, item)] = place
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
-                results[running.pop(future)] = future.result()
-                told()
-    return [results[place] for place in range(len(items))]
+        return results
+    workers = Workers(function, jobs, None, user="a study")
+    done: SimpleQueue[Future[Result]] = SimpleQueue()
+    try:
+        workers.start()
+        futures = [undisturbed(workers.submit, partial(_call_with, item)) for item in items]
+        for future in futures:
+            undisturbed(future.add_done_callback, done.put)
+        for _ in items:
+            undisturbed(done.get().result)
+            told()
+        return [undisturbed(future.result) for future in futures]
+    finally:
+        workers.close()
 
 
-def _leave_interrupts() -> None:
-    """Let Ctrl-C end the process that waits for the others, which end after the call under way."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _call_with(item: object, call: Call) -> Any:  # noqa: ANN401 - what the function returns
+    return call(item)

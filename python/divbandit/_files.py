@@ -69,7 +69,7 @@ def read(
     with Path(path).open("rb") as file:
         try:
             if not zipfile.is_zipfile(file):
-                raise ValueError("it is no npz file, or a part of one")  # noqa: TRY301
+                raise ValueError("it is another file, or a part of one")  # noqa: TRY301
             file.seek(0)
             with np.load(file, allow_pickle=False) as saved:
                 arrays = dict(saved.items())

@@ -329,3 +329,12 @@ def test_an_interrupted_proposal_that_drew_nothing_is_no_obstacle(tmp_path):
     explorer.save(tmp_path / "run")
     again = db.Explorer.load(tmp_path / "run", Interrupted())
     assert everything(again) == everything(explorer)
+
+
+def test_nothing_left_to_do_is_fine():
+    """A script that is started again after its end makes ``n - explorer.evaluations`` trials."""
+    explorer = db.Explorer(db.MotorBabbling(), ARM.motor_space, ARM.sensory_space, rng=0)
+    explorer.run(ARM, 20)
+    assert len(explorer.run(ARM, 20 - explorer.evaluations)) == 20
+    with pytest.raises(ValueError, match="n must be at least 0, got -1"):
+        explorer.run(ARM, -1)

@@ -6,9 +6,12 @@ import os
 from concurrent.futures import Future, ThreadPoolExecutor
 from concurrent.futures import thread as executors
 from contextlib import suppress
+from functools import partial
 from queue import Empty, SimpleQueue
 from threading import Event, Thread, current_thread
 from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar
+
+from divbandit._core import undisturbed
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -60,7 +63,8 @@ class Threads(Generic[Result]):
         **kwargs: Arguments.kwargs,
     ) -> None:
         """Call a function as soon as a thread is free."""
-        self._executor.submit(function, *args, **kwargs).add_done_callback(self._done.put)
+        future = undisturbed(partial(self._executor.submit, function, *args, **kwargs))
+        undisturbed(future.add_done_callback, self._done.put)
         self._pending += 1
 
     def result(self) -> Result:
@@ -72,7 +76,8 @@ class Threads(Generic[Result]):
             with suppress(Empty):
                 done = self._done.get(timeout=_GLANCE)
         self._pending -= 1
-        return done.result()
+        result: Result = undisturbed(done.result)
+        return result
 
     def check(self) -> None:
         """Raise a StoppedError if all is to end; long calls do this every now and then."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from divbandit._checks import whole
 from divbandit.exploration import running
 from divbandit.exploration.explorer import Explorer
 from divbandit.exploration.options import Options, check_environment
@@ -126,5 +127,5 @@ def explore(  # noqa: PLR0913 - each is a choice of the user's
         engine=engine,
         keep_commands=keep_commands,
     )
-    running.run(explorer, environment, n, options)
+    running.run(explorer, environment, whole("n", n, low=1), options)
     return Exploration.of(explorer.history, keep_commands=keep_commands, take=True)

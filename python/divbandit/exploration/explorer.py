@@ -335,11 +335,12 @@ class Explorer:
         environment : Environment
             The black box: callable, with ``motor_space`` and ``sensory_space``.
         n : int
-            How many evaluations, at least 1; those that fail are among them.
+            How many evaluations; those that fail are among them. With 0, as where a script has
+            been resumed at its end, nothing is evaluated.
         jobs : int, optional
             How many worker processes evaluate. One that dies, or takes longer than `timeout`, is
-            replaced: that evaluation has failed. The environment must be picklable where processes
-            are not forked. By default trials are evaluated in this thread, one after the other.
+            replaced: that evaluation has failed. The environment must be picklable (by
+            cloudpickle). By default trials are evaluated in this thread, one after the other.
         executor : concurrent.futures.Executor, optional
             Where to evaluate instead: threads, processes, a cluster's
             (``dask.distributed.Client.get_executor()``, ``mpi4py.futures.MPIPoolExecutor``).

@@ -311,7 +311,7 @@ class Exploration:
             _FORMAT,
             _VERSION,
             cls._from_arrays,
-            writer="Exploration.save",
+            writer="Exploration.save (for an explorer's: Explorer.load(path).result())",
             earlier={1: None},
         )
 

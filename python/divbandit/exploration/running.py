@@ -34,7 +34,7 @@ def run(explorer: Explorer, environment: Environment, n: int, options: Options) 
     Trials that are under way are evaluated first.
     """
     check_environment(environment)
-    whole("n", n, low=1)
+    whole("n", n, low=0)
     callbacks: list[CallbackLike] = list(options.callbacks)
     if options.checkpoint is not None:
         callbacks.append(Checkpoint(options.checkpoint, options.every))

@@ -58,8 +58,9 @@ class BoxedGoals(Value):
             if not has_goals:
                 name = type(self).__name__
                 raise ValueError(
-                    f"goals must be given a box ({name}(box=...)): there is no sensory space; give "
-                    "one to the environment, or goals=box to default_strategy"
+                    "there must be a sensory space, in which goals are drawn: give the environment "
+                    f"one (sensory_space=Box(low, high)), or {name}(box=...), or "
+                    "default_strategy(..., goals=Box(low, high))"
                 )
         elif effect_dim is not None and self.box.dim != effect_dim:
             raise ValueError(

@@ -105,7 +105,12 @@ fn with_later<'py, T>(
 ) -> PyResult<T> {
     static GET: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     static SET: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let get = GET.import(py, "_signal", "getsignal")?;
+    // Not while Python is shutting down.
+    let (Ok(get), Ok(set)) =
+        (GET.import(py, "_signal", "getsignal"), SET.import(py, "_signal", "signal"))
+    else {
+        return body(None);
+    };
     let usual = get.call1((SIGINT,))?;
     if let Ok(later) = usual.cast::<Later>() {
         return body(Some(later.get()).filter(|later| later.thread == current().id()));
@@ -120,7 +125,6 @@ fn with_later<'py, T>(
         pressed: Mutex::new(None),
     };
     let later = Bound::new(py, handler)?;
-    let set = SET.import(py, "_signal", "signal")?;
     match set.call1((SIGINT, &later)) {
         // Only the main thread hears Ctrl-C.
         Err(error) if error.is_instance_of::<PyValueError>(py) => return body(None),

@@ -22,6 +22,8 @@ from timing import fastest
 
 ARM = setting.arm()
 JOBS = 2
+#: Trials until all processes have begun.
+BEGIN = 20
 SLEEP = 0.02
 
 
@@ -46,9 +48,7 @@ def main():
     quick = parser.parse_args().quick
     slow, n, long = (50, 5_000, 100_000) if quick else (200, 50_000, 1_000_000)
 
-    alone, beside = (
-        further(lambda n, j=j: seconds(Waiting(), n, jobs=j), slow) for j in (None, JOBS)
-    )
+    alone, beside = (once_begun(slow, jobs=jobs) for jobs in (None, JOBS))
     one, several = (further(lambda n, j=j: many(n // 4, j), slow) for j in (1, JOBS))
     bare = fastest(lambda: seconds(idle(), n), repeat=3)[1]
     watched = min(with_progress(idle(), n) for _ in range(3))
@@ -81,6 +81,14 @@ def main():
 def further(work, n):
     """Return what n trials more cost, the start of processes not counted."""
     return work(2 * n) - work(n)
+
+
+def once_begun(n, **options):
+    """Return what n trials cost once all processes have begun."""
+    told = []
+    note = [lambda *_: told.append(time.perf_counter())]
+    seconds(Waiting(), BEGIN + n, callbacks=note, **options)
+    return told[-1] - told[BEGIN - 1]
 
 
 def seconds(environment, n, **options):

@@ -92,8 +92,8 @@ class PlanarArm(Value):
         motor_space: Box
         sensory_space: Box
         #: What the engine explores, and what moves among obstacles.
-        _kernel: _core.PlanarArm | _core.ObstructedArm | _core.PushArm
-        _moving: _core.ObstructedArm | _core.PushArm
+        _kernel: _core.PlanarArm | _core.ObstructedArm
+        _moving: _core.ObstructedArm
 
     def __init__(
         self,
@@ -238,9 +238,7 @@ class PlanarArm(Value):
         return each_followed(self._moving, trajectory)
 
 
-def each_followed(
-    arm: _core.ObstructedArm | _core.PushArm, trajectory: ArrayLike
-) -> NDArray[np.float64]:
+def each_followed(arm: _core.ObstructedArm, trajectory: ArrayLike) -> NDArray[np.float64]:
     """Return the effect of following one trajectory, or those of following many."""
     try:
         many = np.ndim(trajectory) == 3

@@ -84,7 +84,7 @@ class PushArm(PlanarArm):
     ball_radius: float
 
     if TYPE_CHECKING:
-        _kernel: _core.PushArm
+        _kernel: _core.ObstructedArm
 
     def __init__(
         self,
@@ -108,7 +108,7 @@ class PushArm(PlanarArm):
         obstructed = _core.ObstructedArm(
             arm, self.thickness, kernels(self.obstacles), self.self_contact
         )
-        kernel = _core.PushArm(obstructed, ball, ball_radius)
+        kernel = obstructed.pushing(ball, ball_radius)
         ball, ball_radius = floats("ball", ball, 2), real("ball_radius", ball_radius)
         beyond = self.thickness / 2 + 2 * ball_radius
         reach = max(1.0 + beyond, *np.abs(ball))

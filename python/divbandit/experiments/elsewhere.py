@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from concurrent.futures import TimeoutError as FutureTimeoutError
 from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec
 from threading import Lock
@@ -16,7 +17,6 @@ from divbandit._portable import portable
 from divbandit._workers import LostError, Workers
 from divbandit.environments import PlanarArm, PushArm
 from divbandit.exploration.drivers import runs_in_rust
-from divbandit.exploration.explore import explore
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -100,15 +100,7 @@ def _runs_in_rust(task: Task) -> bool:
 def explored(task: Task, rng: Rng, keep: Keep) -> object:
     """Explore a task, and return what is kept of it."""
     try:
-        run = explore(
-            task.environment,
-            task.strategy,
-            task.n,
-            rng=rng,
-            engine=task.engine,
-            keep_commands=task.keep_commands,
-            on_error=task.on_error,
-        )
+        run = replace(task, rng=rng).explore()
         return run if keep is None else keep(run)
     except BaseException as error:  # noqa: BLE001 - sent to where it is raised
         with suppress(AttributeError):

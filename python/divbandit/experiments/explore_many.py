@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar, overload
 
 from divbandit._checks import whole
@@ -12,7 +13,7 @@ from divbandit.experiments.cores import available_cores
 from divbandit.experiments.elsewhere import Elsewhere
 from divbandit.experiments.task import Task
 from divbandit.experiments.threads import Check, Threads
-from divbandit.exploration.explore import explore
+from divbandit.exploration.options import check_executor
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -144,9 +145,8 @@ def explore_many(
         if value is not None and not callable(value):
             raise TypeError(f"{name} must be callable or None, got {type(value).__name__}")
     jobs = available_cores() if jobs is None else whole("jobs", jobs, low=1)
-    if executor is not None and not callable(getattr(executor, "submit", None)):
-        kind = type(executor).__name__
-        raise TypeError(f"executor must be a concurrent.futures.Executor, got {kind}")
+    if executor is not None:
+        check_executor(executor)
     return _explorations(tasks, keep, seeds.root(rng), Elsewhere(jobs, executor), jobs, progress)
 
 
@@ -164,16 +164,7 @@ def _explorations(
             sent = elsewhere.takes(task, keep)
             if sent is not None:
                 return place, elsewhere.explored(task, rng, keep, sent, threads.check)
-            run = explore(
-                task.environment,
-                task.strategy,
-                task.n,
-                rng=rng,
-                engine=task.engine,
-                keep_commands=task.keep_commands,
-                on_error=task.on_error,
-                callbacks=[Check(threads)],
-            )
+            run = replace(task, rng=rng).explore(callbacks=[Check(threads)])
             return place, run if keep is None else keep(run)
         except BaseException as error:
             if sys.version_info >= (3, 11):

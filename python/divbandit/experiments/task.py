@@ -7,12 +7,15 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from divbandit._value import Value
+from divbandit.exploration.explore import explore
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from divbandit._checks import Rng
+    from divbandit.callbacks.protocol import CallbackLike
     from divbandit.environments import Environment
+    from divbandit.exploration import Exploration
     from divbandit.exploration.drivers import EngineName
     from divbandit.exploration.options import OnError
     from divbandit.strategies.base import Strategy
@@ -60,6 +63,31 @@ class Task(Value):
     engine: EngineName = "auto"
     keep_commands: bool = True
     on_error: OnError = "raise"
+
+    def explore(self, *, callbacks: Iterable[CallbackLike] = ()) -> Exploration:
+        """Explore with the arguments that this task holds.
+
+        Parameters
+        ----------
+        callbacks : iterable of callables
+            As in `explore`.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.experiments.Task(db.PlanarArm(20), db.MotorBabbling(), n=100, rng=0).explore()
+        <Exploration of 100 evaluations, 20 -> 2>
+        """
+        return explore(
+            self.environment,
+            self.strategy,
+            self.n,
+            rng=self.rng,
+            engine=self.engine,
+            keep_commands=self.keep_commands,
+            on_error=self.on_error,
+            callbacks=callbacks,
+        )
 
     def over(self, seeds: Iterable[Rng]) -> Iterator[Task]:
         """Yield this task once for each seed.

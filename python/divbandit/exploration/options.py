@@ -62,9 +62,7 @@ class Options:
 
     def _check_where(self) -> None:
         if self.executor is not None:
-            if not callable(getattr(self.executor, "submit", None)):
-                kind = type(self.executor).__name__
-                raise TypeError(f"executor must be a concurrent.futures.Executor, got {kind}")
+            check_executor(self.executor)
             if self.jobs is not None:
                 raise ValueError(f"jobs and executor must not both be given, got jobs={self.jobs}")
             if self.in_flight is None:
@@ -73,6 +71,13 @@ class Options:
             raise ValueError(
                 f"in_flight must be given with an executor or jobs alone, got {self.in_flight!r}"
             )
+
+
+def check_executor(executor: object) -> None:
+    """Raise a TypeError unless calls can be submitted to it."""
+    if not callable(getattr(executor, "submit", None)):
+        kind = type(executor).__name__
+        raise TypeError(f"executor must be a concurrent.futures.Executor, got {kind}")
 
 
 def check_environment(environment: object) -> None:

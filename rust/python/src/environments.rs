@@ -10,7 +10,6 @@ use crate::arm::PyPlanarArm;
 use crate::arrays::{Any, Floats, read_only};
 use crate::obstructed_arm::PyObstructedArm;
 use crate::parts::class_of;
-use crate::push_arm::PyPushArm;
 
 /// The library's own environments that exist in Rust; None for all others.
 pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environment>>> {
@@ -21,8 +20,6 @@ pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environm
     Ok(if let Ok(arm) = kernel.cast::<PyPlanarArm>() {
         Some(Box::new(arm.get().0.clone()))
     } else if let Ok(arm) = kernel.cast::<PyObstructedArm>() {
-        Some(Box::new(Moving::from(arm.get().0.clone())))
-    } else if let Ok(arm) = kernel.cast::<PyPushArm>() {
         Some(Box::new(Moving::from(arm.get().0.clone())))
     } else {
         None

@@ -25,7 +25,6 @@ mod measures;
 mod obstructed_arm;
 mod parts;
 mod policies;
-mod push_arm;
 mod random;
 mod rewards;
 mod trial;
@@ -54,7 +53,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<obstructed_arm::PyObstacle>()?;
     module.add_class::<obstructed_arm::PyObstructedArm>()?;
     module.add_class::<policies::PyPolicy>()?;
-    module.add_class::<push_arm::PyPushArm>()?;
     module.add_class::<rewards::PyReward>()?;
     module.add_class::<trial::PyTrial>()?;
     module.add("NotBuiltInError", module.py().get_type::<composition::NotBuiltInError>())?;

@@ -1,4 +1,4 @@
-//! Binding of obstacles and of the arm that stops at them.
+//! Binding of obstacles, and of the arm that stops at them or pushes a ball.
 
 use divbandit_core::{Error, Obstacle, ObstructedArm, PlanarArm};
 use numpy::PyArray1;
@@ -42,7 +42,7 @@ impl PyObstacle {
 }
 
 /// Reads a point of the plane.
-pub(crate) fn pair(name: &'static str, value: &Any<'_>) -> PyResult<[f64; 2]> {
+fn pair(name: &'static str, value: &Any<'_>) -> PyResult<[f64; 2]> {
     let point = Floats::point(name, value, Some(2))?;
     let numbers = point.slice()?;
     Ok([numbers[0], numbers[1]])
@@ -76,7 +76,19 @@ impl PyObstructedArm {
         Ok(Self(ObstructedArm::new(arm, thickness, obstacles, self_contact)?))
     }
 
-    /// Where the tip stops: (joints,) -> (2,), or (n, joints) -> (n, 2).
+    /// The same arm with a ball in its way; its effects are the ball's.
+    ///
+    /// Parameters
+    /// ----------
+    /// ball : array_like, shape (2,)
+    ///     The ball's center.
+    /// ball_radius : float
+    fn pushing(&self, ball: &Any<'_>, ball_radius: &Any<'_>) -> Result<Self> {
+        let (ball, radius) = (pair("ball", ball)?, number("ball_radius", ball_radius)?);
+        Ok(Self(self.0.clone().pushing(ball, radius)?))
+    }
+
+    /// Where the tip stops, or the ball: (joints,) -> (2,), or (n, joints) -> (n, 2).
     fn effect<'py>(&self, command: &Any<'py>) -> Result<Any<'py>> {
         let mut moving = self.0.moving();
         each(self.0.free(), command, |command| moving.effect(command))
@@ -94,17 +106,24 @@ impl PyObstructedArm {
         Ok(rows_of(command.py(), self.0.moving().posture(&angles)?)?)
     }
 
-    /// Where the tip stops on a trajectory of rows of angles: (k, joints) -> (2,).
+    /// The share of the way and the ball's place, whenever it was looked at: (k, 3).
+    fn path<'py>(&self, command: &Any<'py>) -> Result<Array2<'py>> {
+        let angles = Floats::point("command", command, Some(self.0.free().joints()))?.copied()?;
+        let path = command.py().detach(|| self.0.moving().path(&angles))?;
+        Ok(rows_of(command.py(), path)?)
+    }
+
+    /// Where the tip stops, or the ball, on a trajectory of rows of angles: (k, joints) -> (2,).
     fn follow<'py>(&self, trajectory: &Any<'py>) -> Result<Array1<'py>> {
         let (py, joints) = (trajectory.py(), self.0.free().joints());
         let angles = Floats::points("trajectory", trajectory, joints)?.copied()?;
-        let tip = py.detach(|| self.0.moving().follow(&angles))?;
-        Ok(PyArray1::from_slice(py, &tip))
+        let effect = py.detach(|| self.0.moving().follow(&angles))?;
+        Ok(PyArray1::from_slice(py, &effect))
     }
 }
 
 /// What becomes of each command; all are checked before the first move.
-pub(crate) fn each<'py, const WIDTH: usize>(
+fn each<'py, const WIDTH: usize>(
     arm: &PlanarArm,
     command: &Any<'py>,
     mut becomes: impl FnMut(&[f64]) -> Result<[f64; WIDTH], Error> + Send,

@@ -56,11 +56,9 @@ class BoxedGoals(Value):
         """
         if self.box is None:
             if not has_goals:
-                name = type(self).__name__
                 raise ValueError(
-                    "there must be a sensory space, in which goals are drawn: give the environment "
-                    f"one (sensory_space=Box(low, high)), or {name}(box=...), or "
-                    "default_strategy(..., goals=Box(low, high))"
+                    "there must be a sensory space to draw goals from: give the environment one "
+                    "(sensory_space=Box(low, high)), or the strategy goals=Box(low, high)"
                 )
         elif effect_dim is not None and self.box.dim != effect_dim:
             raise ValueError(

@@ -135,9 +135,10 @@ class Strategy(ABC):
         --------
         >>> import divbandit as db
         >>> db.GoalBabbling().check(db.Box([0], [1]), 2, has_goals=False)
+        ... # doctest: +ELLIPSIS
         Traceback (most recent call last):
             ...
-        ValueError: goals must be given to GoalBabbling: there is no sensory space to draw them from
+        ValueError: there must be a sensory space to draw goals from: ...
         """
 
     def start(self, start: Starter) -> Strategy:

@@ -109,10 +109,6 @@ class GoalBabbling(StrategyValue):
     def check(self, motor_space: Box, effect_dim: int | None, *, has_goals: bool) -> None:
         """Require goals of the effects' dimension."""
         del motor_space
-        if self.goals is None and not has_goals:
-            raise ValueError(
-                "goals must be given to GoalBabbling: there is no sensory space to draw them from"
-            )
         check = getattr(self.sampler, "check", None)
         if check is not None:
             check(effect_dim, has_goals=has_goals)

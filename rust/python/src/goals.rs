@@ -63,7 +63,7 @@ impl PyGoalSampler {
         match self.sampler.sample(log, NumpyStream::lock(rng)?.draws(), &mut self.goal) {
             Ok(()) => Ok(read_only(rng.py(), &self.goal)?),
             Err(Error::Empty { name: "goals" }) => Err(PyValueError::new_err(format!(
-                "there must be a sensory space, in which goals are drawn, or {}(box=...)",
+                "there must be a sensory space to draw goals from, or {}(box=...)",
                 self.class
             ))
             .into()),

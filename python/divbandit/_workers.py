@@ -164,9 +164,9 @@ class _Worker:
             while process.is_alive() or self._pipe.poll():
                 left = _GLANCE if end is None else min(_GLANCE, end - monotonic())
                 if self._pipe in wait([self._pipe, process.sentinel], max(0, left)):
-                    number, *answer = self._received()
+                    number, result, error = self._received()
                     if number == self._sent:
-                        return answer[0], answer[1]
+                        return result, error
                 elif left <= 0:
                     late = TimeoutError(f"no effect within timeout = {self._timeout:g} s")
                     raise LostError from late

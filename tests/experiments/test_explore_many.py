@@ -192,3 +192,10 @@ def test_over_takes_seeds_one_by_one():
     tasks = TASK.over(seeds)
     assert next(seeds) == 0
     assert next(tasks).rng == 1
+
+
+def test_what_cannot_be_sent_from_a_worker_is_an_error():
+    """Not the death of a worker, which would not say why."""
+    tasks = [Task(db.FunctionEnvironment(ARM, ARM.motor_space), db.MotorBabbling(), n=5)] * 3
+    with pytest.raises(TypeError, match=r"cannot pickle '_thread\.lock' object"):
+        list(db.explore_many(tasks, rng=0, jobs=2, keep=lambda _: threading.Lock()))

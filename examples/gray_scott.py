@@ -28,10 +28,10 @@ def gray_scott(inputs):
 
 
 explorer = db.Explorer.load(FILE) if FILE.exists() else db.Explorer(ADAPT, M, S, rng=0)
-if (left := TRIALS - explorer.evaluations) > 0:
-    box, bar = db.FunctionEnvironment(lambda x: gray_scott(x)[1], M), db.callbacks.Progress()
-    explorer.run(box, left, jobs=2, timeout=60, on_error="record", checkpoint=FILE, callbacks=[bar])
-print((run := explorer.result()).describe())
+box, left = db.FunctionEnvironment(lambda x: gray_scott(x)[1], M), TRIALS - explorer.evaluations
+options = {"timeout": 60, "on_error": "record", "checkpoint": FILE}
+run = explorer.run(box, left, jobs=2, callbacks=[db.callbacks.Progress()], **options)
+print(run.describe())
 far = np.full(len(run), np.inf)
 for ax in plt.subplots(3, 4, figsize=(11, 10.5), layout="constrained")[1].flat:
     far = np.minimum(far, np.linalg.norm(run.effects - run.effects[i := far.argmax()], axis=1))

@@ -43,7 +43,8 @@ def run(explorer: Explorer, environment: Environment, n: int, options: Options) 
         for callback in callbacks:
             loop.watchers.append(stack.enter_context(Watcher(callback, explorer, n)))
         stack.callback(loop.evaluator.close)
-        loop.evaluator.start()
+        if loop.left > 0:
+            loop.evaluator.start()
         while loop.left > 0 and not loop.stopped:
             loop.advance()
         loop.evaluator.finish()

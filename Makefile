@@ -24,12 +24,13 @@ studies: $(VENV)/.test develop ## the studies of docs/studies.md and docs/enviro
 
 test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI runs
 
-bench: $(VENV)/.test develop ## kernels (criterion), peers, whole explorations; the peers' table goes into the README
+bench: $(VENV)/.test develop ## kernels (criterion), peers, whole explorations, runs; the peers' table goes into the README
 	cargo bench --locked --package divbandit-core
 	$(BIN)/python benches/peers.py --readme README.md
 	$(BIN)/maturin develop --release --locked --manifest-path benches/scalar_arm/Cargo.toml
 	$(BIN)/python benches/engine.py
 	$(BIN)/python benches/ask_tell.py
+	$(BIN)/python benches/running.py
 
 fuzz: $(FUZZ) ## the coverage kernels' laws on hostile effects, FUZZ_SECONDS (300) for each target
 	@for target in plane space; do \

@@ -31,6 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except SystemExit as end:  # argparse has said why, or printed the help
         return int(end.code or 0)
     try:
+        import loky  # noqa: F401, PLC0415
         import matplotlib as mpl  # noqa: PLC0415
         import tqdm  # noqa: F401, PLC0415
     except ImportError as error:

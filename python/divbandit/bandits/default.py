@@ -4,49 +4,34 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from divbandit.bandits.adapt import Adapt
+from divbandit.bandits.published import discounted_adapt
 from divbandit.goals import UntriedGoals
-from divbandit.inverse import LocalJacobian
+from divbandit.inverse import Crossover, LineVariation, LocalJacobian
 from divbandit.strategies import GoalBabbling, MotorBabbling
 
 if TYPE_CHECKING:
+    from divbandit.bandits.bandit import Bandit
     from divbandit.box import BoxLike
     from divbandit.strategies import Strategy
 
 
-def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
+def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Bandit:
     """Return the library's own composition, which needs no parameter but `tau`.
 
-    `Adapt` chooses between the two `default_strategies`, motor babbling and goals a little beyond
-    what is covered, with a longer window than the paper's and in proportion to a high power of the
-    diversities: nearly always the better one.
-
-    On the arm of 20 joints with tau = 0.02 it covers (mean and standard deviation of 25
-    explorations, ``rng=0`` to 24, in square metres)
-
-    ====================================  ==============  ==============  ==============
-    n                                     2000            5000            10000
-    ====================================  ==============  ==============  ==============
-    ``default_strategy(0.02)``            1.455 +- 0.029  2.611 +- 0.034  3.090 +- 0.013
-    the paper's ADAPT, d = 0.05           1.305 +- 0.051  2.129 +- 0.110  2.639 +- 0.161
-    ====================================  ==============  ==============  ==============
-
-    where discs around all that the arm can reach would cover 3.27. Its parameters were chosen on
-    this arm, and may not be the best elsewhere. It is made for many motor coordinates, few effect
-    coordinates and maps that are smooth at the scale of tau. An exploration of few steps gains
-    little from it.
+    The paper's answer to not knowing which strategy is good here: a bandit, `discounted_adapt`,
+    chooses among the four `default_strategies` in proportion to a high power of their recent gains,
+    which is nearly always the best one.
 
     Parameters
     ----------
     tau : float
         Radius of the balls that effects cover, in the units of the effects; positive.
     goals : Box or object with ``low`` and ``high``, optional
-        Where goals are drawn; by default the environment's sensory space. It should hold all
-        effects, and may be much larger.
+        Where goals are drawn; by default around the effects observed so far.
 
     Returns
     -------
-    Adapt
+    Bandit
 
     Raises
     ------
@@ -64,22 +49,24 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Adapt:
     True
     """
     strategies = default_strategies(tau, goals=goals)
-    return Adapt(strategies, tau=tau, window=200, alpha=0.05, power=8.0)
+    return discounted_adapt(strategies, gamma=0.995, power=16.0, tau=tau)
 
 
 def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Strategy]:
     """Return what `default_strategy` chooses among, for another bandit.
 
-    Motor babbling, without which explorations may never leave where they began; and `GoalBabbling`
-    with `UntriedGoals` and `LocalJacobian`: goals a little beyond the effects near which the fewest
-    goals were drawn, and short steps towards them in a linear model of the commands nearby.
+    Motor babbling, without which explorations may never leave where they began; and goal babbling,
+    with `UntriedGoals` a little beyond the effects near which the fewest goals were drawn, and
+    three inverse models, each good where others are not: `LocalJacobian`, short steps in a linear
+    model, where the environment is smooth; `LineVariation`, where commands are long and effects
+    depend on them jointly; `Crossover`, where each coordinate contributes by itself.
 
     Parameters
     ----------
     tau : float
         Radius of the balls that effects cover, in the units of the effects; positive.
     goals : Box or object with ``low`` and ``high``, optional
-        Where goals are drawn; by default the environment's sensory space.
+        Where goals are drawn; by default around the effects observed so far.
 
     Returns
     -------
@@ -101,4 +88,5 @@ def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Stra
     >>> run = db.explore(db.PlanarArm(20), bandit, n=100, rng=0)
     """
     untried = UntriedGoals(tau, box=goals)
-    return [MotorBabbling(), GoalBabbling(goals=untried, inverse=LocalJacobian())]
+    models = LocalJacobian(), LineVariation(), Crossover()
+    return [MotorBabbling(), *(GoalBabbling(goals=untried, inverse=model) for model in models)]

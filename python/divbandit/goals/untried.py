@@ -16,16 +16,20 @@ if TYPE_CHECKING:
 class UntriedGoals(BoxedGoals):
     """Uncovered goals, nearest to those effects that the fewest earlier goals were nearest to.
 
-    Each effect counts the goals that it was the nearest effect of. A few uncovered goals are drawn
-    as `UncoveredGoals` draws them, and the one whose nearest effect has the smallest count is
-    taken, the first of several. So an effect from which nothing new is reached, as at the border of
-    the reachable space, gives way to others. A goal that is farther than `reach` times `tau` from
-    its nearest effect is moved straight towards it, to that distance, as inverse models are
-    accurate only nearby.
+    Each effect counts the goals that it was the nearest effect of. Points are drawn uniformly in
+    the box of all effects, a little wider; of those that are uncovered, farther than `tau` from
+    every effect, the one whose nearest effect has the smallest count is taken, the first of
+    several. So an effect from which nothing new is reached, as at the border of the reachable
+    space, gives way to others. A goal that is farther than `reach` times `tau` from its nearest
+    effect is moved straight towards it, to that distance, as inverse models are accurate only
+    nearby.
 
-    A goal counts when it is drawn, whatever its outcome. Until something is observed, goals are
-    uniform in the box and nothing is counted. Each point drawn costs one ``rng.random()`` a
-    coordinate.
+    Where all points drawn are covered, goals lie just beyond the border of what is covered: effects
+    take turns, the newest first, and one around which nothing uncovered is found in a few
+    directions is passed over for good. If there is none left, the goal is the last point drawn.
+
+    A goal counts when it is drawn, whatever its outcome. Each point, and each direction, costs one
+    ``rng.random()`` a coordinate, the distance beyond the border another one.
 
     Parameters
     ----------
@@ -35,13 +39,12 @@ class UntriedGoals(BoxedGoals):
         How many uncovered goals to choose from; at least 1. One whose nearest effect has no count
         yet is taken at once.
     tries : int
-        How many points to draw at most until one is uncovered; at least 1. The last one is taken
-        if none is.
+        How many points to draw at most for a goal; at least 1.
     reach : float
         How far from the nearest effect goals lie at most, in `tau`; at least 1.
     box : Box or object with ``low`` and ``high``, optional
-        Where goals are drawn; by default the environment's sensory space. Effects may lie
-        outside of it: goals that would are moved to its border, however far that is.
+        Where goals are drawn instead, and none beyond. Effects may lie outside of it: goals that
+        would are moved to its border, however far that is.
 
     Attributes
     ----------
@@ -91,3 +94,20 @@ class UntriedGoals(BoxedGoals):
             reach=real("reach", reach, low=1.0),
             box=box_of(box),
         )
+
+    def check(self, effect_dim: int | None, *, has_goals: bool) -> None:
+        """Raise a ValueError if the box is not of the effects' dimension.
+
+        Parameters
+        ----------
+        effect_dim : int or None
+            Dimension of the effects; None if it is not known yet.
+        has_goals : bool
+            Whether the environment names a sensory space; there need not be one.
+
+        Examples
+        --------
+        >>> import divbandit as db
+        >>> db.goals.UntriedGoals(0.1).check(2, has_goals=False)
+        """
+        super().check(effect_dim, has_goals=has_goals or self.box is None)

@@ -54,7 +54,7 @@ class KernelModel(Value):
         return _core.InverseModel(self)
 
     def command(self, goal: ArrayLike, history: History, rng: Generator) -> NDArray[np.float64]:
-        """Return a command for a goal: one ``rng.random()`` a motor coordinate.
+        """Return a command for a goal.
 
         Parameters
         ----------

@@ -20,7 +20,7 @@ class InverseModel(Protocol):
 
     See Also
     --------
-    Nearest, KNearest, LocalRegression, LocalJacobian
+    Nearest, KNearest, LocalRegression, LocalJacobian, LineVariation, Crossover
 
     Examples
     --------

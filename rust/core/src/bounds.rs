@@ -1,6 +1,10 @@
 //! A box of motor commands or goals, and the draws made in it.
 
+use crate::elementary::normal_quantile;
 use crate::error::{Error, check_finite, check_length, check_share, reserve};
+
+/// What stands for a draw of 0, half of the least other one: the quantile of 0 is no number.
+const LEAST: f64 = 0.25 * f64::EPSILON;
 
 /// A stream of independent numbers uniform in [0, 1): the only randomness there is.
 ///
@@ -15,6 +19,17 @@ pub trait UniformStream {
         for number in numbers {
             *number = self.next();
         }
+    }
+
+    /// A whole number from 0 to `n` - 1, for `n` of at least 1: one draw.
+    fn below(&mut self, n: usize) -> usize {
+        ((self.next() * n as f64) as usize).min(n - 1)
+    }
+
+    /// A standard normal number: one draw.
+    fn normal(&mut self) -> f64 {
+        let u = self.next();
+        normal_quantile(if u == 0.0 { LEAST } else { u })
     }
 }
 
@@ -102,6 +117,19 @@ impl Bounds {
             }
         }
         Ok(())
+    }
+
+    /// Whether a point of as many coordinates lies in the box.
+    pub(crate) fn holds(&self, point: &[f64]) -> bool {
+        let corners = self.low.iter().zip(&self.high);
+        point.iter().zip(corners).all(|(x, (low, high))| low <= x && x <= high)
+    }
+
+    /// Moves a point of as many coordinates to the nearest one in the box.
+    pub(crate) fn clip(&self, point: &mut [f64]) {
+        for (x, (&low, &high)) in point.iter_mut().zip(self.low.iter().zip(&self.high)) {
+            *x = x.max(low).min(high);
+        }
     }
 
     /// A point uniform in the box: one draw a coordinate, in order.

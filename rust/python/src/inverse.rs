@@ -1,6 +1,8 @@
 //! Bindings of the inverse models.
 
-use divbandit_core::inverse::{InverseModel, KNearest, LocalJacobian, LocalRegression, Nearest};
+use divbandit_core::inverse::{
+    Crossover, InverseModel, KNearest, LineVariation, LocalJacobian, LocalRegression, Nearest,
+};
 use pyo3::prelude::*;
 
 use crate::arrays::{Any, Array1, Floats, read_only};
@@ -20,6 +22,8 @@ pub(crate) fn inverse_of(part: &Any<'_>) -> Result<Option<Box<dyn InverseModel>>
         Some("LocalJacobian") => {
             Box::new(made_of!(part, LocalJacobian::new(k, used, ridge, reach, noise))?)
         }
+        Some("LineVariation") => Box::new(made_of!(part, LineVariation::new(d, along))?),
+        Some("Crossover") => Box::new(made_of!(part, Crossover::new(k, d))?),
         _ => return Ok(None),
     }))
 }
@@ -28,7 +32,7 @@ pub(crate) fn inverse_of(part: &Any<'_>) -> Result<Option<Box<dyn InverseModel>>
 ///
 /// Parameters
 /// ----------
-/// value : Nearest, KNearest, LocalRegression or LocalJacobian
+/// value : Nearest, KNearest, LocalRegression, LocalJacobian, LineVariation or Crossover
 ///
 /// Examples
 /// --------

@@ -27,7 +27,8 @@ pub(super) struct Covered {
     tau: f64,
     /// The largest square of which the root is at most tau.
     squared: f64,
-    goals: Option<Bounds>,
+    /// The box that is cut into cells.
+    frame: Option<Bounds>,
     raster: Option<Raster>,
     /// How many effects are marked in the raster.
     marked: usize,
@@ -44,14 +45,17 @@ impl Covered {
         while squared.next_up().sqrt() <= tau {
             squared = squared.next_up();
         }
-        Ok(Self { tau, squared, goals: None, raster: None, marked: 0 })
+        Ok(Self { tau, squared, frame: None, raster: None, marked: 0 })
     }
 
-    /// Marks what effects newly cover of a box.
+    /// Marks what effects newly cover of a box, which may grow.
     pub fn update(&mut self, goals: &Bounds, effects: &NearestNeighbors) {
-        if self.goals.as_ref() != Some(goals) {
-            self.goals = Some(goals.clone());
-            self.raster = Raster::new(goals, self.tau);
+        let holds = |frame: &Bounds| frame.holds(goals.low()) && frame.holds(goals.high());
+        if !self.frame.as_ref().is_some_and(holds) {
+            // One that has grown will grow further: with room for that, few are cut anew.
+            let frame = if self.frame.is_none() { goals.clone() } else { doubled(goals) };
+            self.raster = Raster::new(&frame, self.tau);
+            self.frame = Some(frame);
             self.marked = 0;
         }
         if let Some(raster) = &mut self.raster {
@@ -86,6 +90,14 @@ impl Covered {
     fn is_marked(&self, goal: &[f64]) -> bool {
         self.raster.as_ref().is_some_and(|raster| raster.is_marked(goal))
     }
+}
+
+/// A box twice as wide around the same centre; the same box where that is too wide for a number.
+fn doubled(goals: &Bounds) -> Bounds {
+    let pairs = goals.low().iter().zip(goals.high());
+    let halves = pairs.map(|(low, high)| (low, high, 0.5 * (high - low)));
+    let (low, high) = halves.map(|(low, high, half)| (low - half, high + half)).unzip();
+    Bounds::new(low, high).unwrap_or_else(|_| goals.clone())
 }
 
 /// A box of up to three dimensions cut into cells, each marked or not.

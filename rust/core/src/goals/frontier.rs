@@ -43,8 +43,8 @@ impl Frontier {
 }
 
 impl GoalSampler for Frontier {
-    fn area(&self) -> &Area {
-        &self.area
+    fn area(&self) -> Option<&Area> {
+        Some(&self.area)
     }
 
     fn sample(
@@ -59,7 +59,7 @@ impl GoalSampler for Frontier {
         self.covered.update(goals, effects);
         let (n, dim) = (effects.len(), effects.dim());
         for left in (0..self.tries).rev() {
-            let index = ((draws.next() * n as f64) as usize).min(n - 1);
+            let index = draws.below(n);
             let centre = &effects.points()[index * dim..][..dim];
             draws.fill(goal);
             let mut squared = 0.0;
@@ -70,10 +70,8 @@ impl GoalSampler for Frontier {
             let distance = self.tau * (1.0 + (self.reach - 1.0) * draws.next());
             // If all draws are 1/2 there is no direction: the goal is the effect itself.
             let scale = if squared > 0.0 { distance / squared.sqrt() } else { 0.0 };
-            let corners = goals.low().iter().zip(goals.high());
-            for ((x, y), (&low, &high)) in goal.iter_mut().zip(centre).zip(corners) {
-                *x = (y + *x * scale).max(low).min(high);
-            }
+            goal.iter_mut().zip(centre).for_each(|(x, y)| *x = y + *x * scale);
+            goals.clip(goal);
             if left > 0 && !self.covered.covers(goal, effects)? {
                 break;
             }

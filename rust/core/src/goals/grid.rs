@@ -78,8 +78,8 @@ impl Cells {
 }
 
 impl GoalSampler for Grid {
-    fn area(&self) -> &Area {
-        &self.area
+    fn area(&self) -> Option<&Area> {
+        Some(&self.area)
     }
 
     fn check(

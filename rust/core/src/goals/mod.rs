@@ -6,9 +6,12 @@
 //! - [`Frontier`]: uncovered as well, but near an effect;
 //! - [`Novel`]: of a few goals, the one farthest from its nearest effect;
 //! - [`Untried`]: of a few uncovered goals, the one whose nearest effect was nearest to the fewest.
+//!   It needs no box.
 
 mod area;
+mod border;
 mod covered;
+mod extent;
 mod frontier;
 mod grid;
 mod novel;
@@ -34,8 +37,8 @@ use crate::history::History;
 ///
 /// A sampler belongs to one history, that of its first call.
 pub trait GoalSampler: fmt::Debug + Send + Sync {
-    /// Where it draws them.
-    fn area(&self) -> &Area;
+    /// Where it draws them; None if it needs no box.
+    fn area(&self) -> Option<&Area>;
 
     /// Refuses effects of a dimension that it cannot draw goals for (None if it is not known
     /// yet), and a missing box.
@@ -47,7 +50,7 @@ pub trait GoalSampler: fmt::Debug + Send + Sync {
         effect_dim: Option<usize>,
         sensory_space: Option<&Bounds>,
     ) -> Result<(), Error> {
-        self.area().check(effect_dim, sensory_space).map(|_| ())
+        self.area().map_or(Ok(()), |area| area.check(effect_dim, sensory_space).map(|_| ()))
     }
 
     /// Writes a goal, which takes the length that it needs.

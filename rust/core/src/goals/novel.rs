@@ -27,8 +27,8 @@ impl Novel {
 }
 
 impl GoalSampler for Novel {
-    fn area(&self) -> &Area {
-        &self.area
+    fn area(&self) -> Option<&Area> {
+        Some(&self.area)
     }
 
     fn sample(

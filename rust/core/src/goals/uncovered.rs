@@ -28,8 +28,8 @@ impl Uncovered {
 }
 
 impl GoalSampler for Uncovered {
-    fn area(&self) -> &Area {
-        &self.area
+    fn area(&self) -> Option<&Area> {
+        Some(&self.area)
     }
 
     fn sample(

@@ -23,8 +23,8 @@ impl Uniform {
 }
 
 impl GoalSampler for Uniform {
-    fn area(&self) -> &Area {
-        &self.area
+    fn area(&self) -> Option<&Area> {
+        Some(&self.area)
     }
 
     fn sample(

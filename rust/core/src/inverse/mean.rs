@@ -39,9 +39,6 @@ pub(super) fn perturbed_mean(
     if mean.iter().any(|x| !x.is_finite()) {
         mean.copy_from_slice(first);
     }
-    let corners = observed.motor_space.low().iter().zip(observed.motor_space.high());
-    for (x, (&low, &high)) in mean.iter_mut().zip(corners) {
-        *x = x.max(low).min(high);
-    }
+    observed.motor_space.clip(mean);
     observed.motor_space.perturb_into(command, mean, d, draws);
 }

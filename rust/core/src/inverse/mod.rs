@@ -1,14 +1,19 @@
 //! Inverse models: from a goal to a command likely to bring about an effect near it.
 //!
 //! Each turns what was observed - effects, and the commands that produced them - into one command
-//! inside the motor space, and then perturbs it: one draw a motor coordinate, in order.
+//! inside the motor space, and then perturbs it: one draw a motor coordinate, in order. The last two
+//! draw before that.
 //!
 //! - [`Nearest`]: the command of the nearest effect, as in the paper;
 //! - [`KNearest`]: the weighted mean of the commands of the nearest effects;
 //! - [`LocalRegression`]: the linear map from effects to commands around the goal;
-//! - [`LocalJacobian`]: a short step in a linear map from commands to effects around one command.
+//! - [`LocalJacobian`]: a short step in a linear map from commands to effects around one command;
+//! - [`LineVariation`]: a step along the line through two commands;
+//! - [`Crossover`]: some coordinates of one command, the others of another.
 
+mod crossover;
 mod k_nearest;
+mod line_variation;
 mod local_jacobian;
 mod local_regression;
 mod mean;
@@ -16,7 +21,9 @@ mod nearest;
 
 use std::fmt;
 
+pub use crossover::Crossover;
 pub use k_nearest::KNearest;
+pub use line_variation::LineVariation;
 pub use local_jacobian::LocalJacobian;
 pub use local_regression::LocalRegression;
 pub use nearest::Nearest;

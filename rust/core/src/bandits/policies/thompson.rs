@@ -2,10 +2,6 @@
 
 use super::{Choice, Estimates, Policy};
 use crate::bounds::UniformStream;
-use crate::elementary::normal_quantile;
-
-/// What stands for a draw of 0, half of the least other one: the quantile of 0 is no number.
-const LEAST: f64 = 0.25 * f64::EPSILON;
 
 /// The part with the largest of numbers drawn from N(m_j, B^2 / (n_j + 1)), one for each.
 ///
@@ -21,9 +17,7 @@ impl Policy for Thompson {
         let scale = if estimates.largest == 0.0 { 1.0 } else { estimates.largest };
         let (mut part, mut largest) = (0, f64::NEG_INFINITY);
         for (index, (mean, count)) in estimates.means.iter().zip(estimates.counts).enumerate() {
-            let u = draws.next();
-            let quantile = normal_quantile(if u == 0.0 { LEAST } else { u });
-            let sampled = mean + scale / (count + 1.0).sqrt() * quantile;
+            let sampled = mean + scale / (count + 1.0).sqrt() * draws.normal();
             if sampled > largest {
                 (part, largest) = (index, sampled);
             }

@@ -25,6 +25,8 @@ INVERSES = {
     "nearest": i.Nearest(0.05),
     "k nearest": i.KNearest(3, 0.05),
     "local regression": i.LocalRegression(8, 0.05),
+    "line variation": i.LineVariation(0.05),
+    "crossover": i.Crossover(8, 0.05),
     "local Jacobian": i.LocalJacobian(),
 }
 

@@ -22,6 +22,7 @@ ORDER = (
     "history",
     "controllers",
     "environments",
+    "benchmarks",
     "goals",
     "inverse",
     "strategies",

@@ -34,7 +34,7 @@ from tests.compositions import adapted, compositions
 
 SQUARE, ARM = db.Box([-1, -1], [1, 1]), e.PlanarArm(4)
 #: No strategy is made of what is in these packages.
-NOT_IN_FILES = ("environments", "controllers", "experiments", "callbacks")
+NOT_IN_FILES = ("environments", "benchmarks", "controllers", "experiments", "callbacks")
 
 
 def swap(x):
@@ -82,6 +82,9 @@ PARTS = [
     e.Wall((0, 0.5), np.array([0, 2]), thickness=0.125),
     # Environments.
     e.PlanarArm(),
+    db.benchmarks.ArmRepertoire(3),
+    db.benchmarks.LinearProjection(4),
+    db.benchmarks.LinearProjection(dim=6, objective="sphere"),
     e.PlanarArm(3, limit=1, thickness=0.02, obstacles=[DISC], self_contact=True),
     e.PushArm(),
     e.PushArm(2, limit=2.5, obstacles=(DISC,), ball=np.array([0.4, 0.2]), ball_radius=0.04),
@@ -142,6 +145,10 @@ PARTS = [
     i.Nearest(0.25),
     i.KNearest(),
     i.KNearest(3, 1),
+    i.LineVariation(),
+    i.LineVariation(0.25, along=1),
+    i.Crossover(),
+    i.Crossover(3, 0.25),
     i.LocalRegression(),
     i.LocalRegression(3, 0.25, ridge=1, reach=2),
     i.LocalJacobian(),
@@ -214,6 +221,7 @@ IDS = [f"{type(part).__name__}-{index}" for index, part in enumerate(PARTS)]
 PACKAGES = (
     db,
     db.environments,
+    db.benchmarks,
     db.controllers,
     db.goals,
     db.inverse,

@@ -10,7 +10,7 @@ experiment -> figure.
 - The black box: `Environment` is what it must offer; `PlanarArm` is the paper's,
   `FunctionEnvironment` wraps a function and its spaces. A `Box` is a space of commands, effects
   or goals. More in `environments`: obstacles, pushing, Gymnasium, MuJoCo, external programs;
-  `controllers` turn commands into trajectories.
+  `controllers` turn commands into trajectories. The field's own are in `benchmarks`.
 - The strategies: `MotorBabbling` and `GoalBabbling`, which takes goal samplers from `goals` and
   inverse models from `inverse`; `Mixture` and `Schedule` combine others in fixed ways. Derive a
   new one from `Strategy` and write ``propose(history, rng)``; it returns a command, or a
@@ -42,6 +42,7 @@ Examples
 from divbandit import (
     adapters,
     bandits,
+    benchmarks,
     callbacks,
     controllers,
     environments,
@@ -75,6 +76,7 @@ __all__ = [  # noqa: RUF022 - in the order of the data
     "PlanarArm",
     "FunctionEnvironment",
     "environments",
+    "benchmarks",
     "controllers",
     "Strategy",
     "Trial",

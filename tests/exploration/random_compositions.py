@@ -113,11 +113,15 @@ class _Drawing:
 
     def model(self):
         k, d, ridge = self.draw(COUNTS), self.draw(SHARES), self.one_of(1e-9, 1e-3, 1.0)
-        kind = self.one_of("Nearest", "KNearest", "LocalRegression", "LocalJacobian")
+        kind = self.one_of(*(name for name in inverse.__all__ if name != "InverseModel"))
         if kind == "Nearest":
             return inverse.Nearest(d)
         if kind == "KNearest":
             return inverse.KNearest(k, d)
+        if kind == "LineVariation":
+            return inverse.LineVariation(d, along=self.one_of(0.0, 0.2, 10.0))
+        if kind == "Crossover":
+            return inverse.Crossover(self.one_of(k, 100), d)
         if kind == "LocalRegression":
             return inverse.LocalRegression(k, d, ridge=ridge, reach=self.one_of(0.1, 1.0, 50.0))
         options = {"ridge": ridge, "reach": d, "noise": self.draw(SHARES)}

@@ -19,7 +19,7 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Bandit:
     """Return the library's own composition, which needs no parameter but `tau`.
 
     The paper's answer to not knowing which strategy is good here: a bandit, `discounted_adapt`,
-    chooses among the four `default_strategies` in proportion to a high power of their recent gains,
+    chooses among the five `default_strategies` in proportion to a high power of their recent gains,
     which is nearly always the best one.
 
     Parameters
@@ -49,17 +49,18 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Bandit:
     True
     """
     strategies = default_strategies(tau, goals=goals)
-    return discounted_adapt(strategies, gamma=0.995, power=16.0, tau=tau)
+    return discounted_adapt(strategies, power=16.0, tau=tau)
 
 
 def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Strategy]:
     """Return what `default_strategy` chooses among, for another bandit.
 
-    Motor babbling, without which explorations may never leave where they began; and goal babbling,
-    with `UntriedGoals` a little beyond the effects near which the fewest goals were drawn, and
-    three inverse models, each good where others are not: `LocalJacobian`, short steps in a linear
-    model, where the environment is smooth; `LineVariation`, where commands are long and effects
-    depend on them jointly; `Crossover`, where each coordinate contributes by itself.
+    Motor babbling, without which explorations may never leave where they began; and goal babbling
+    with `UntriedGoals`, a little beyond the effects near which the fewest goals were drawn, and
+    four inverse models, each good where the others are not: `LocalJacobian` with long steps in a
+    linear model, where few effects are known or the environment is nearly linear, and with short
+    ones, where it is not; `LineVariation`, where commands have many coordinates that act together;
+    `Crossover`, where each contributes by itself.
 
     Parameters
     ----------
@@ -88,5 +89,5 @@ def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Stra
     >>> run = db.explore(db.PlanarArm(20), bandit, n=100, rng=0)
     """
     untried = UntriedGoals(tau, box=goals)
-    models = LocalJacobian(), LineVariation(), Crossover()
+    models = LocalJacobian(reach=0.2), LocalJacobian(), LineVariation(), Crossover()
     return [MotorBabbling(), *(GoalBabbling(goals=untried, inverse=model) for model in models)]

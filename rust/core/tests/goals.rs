@@ -124,41 +124,6 @@ proptest! {
     }
 
     #[test]
-    fn an_untried_goal_is_that_of_a_plain_search(
-        dim in 1..=5_usize, n in 1..40_usize, candidates in 1..8_usize, tries in 1..6_usize,
-        reach in 1.0..5.0, tau in prop_oneof![Just(0.05), 0.01..1.0], seed: u64,
-    ) {
-        let mut stream = Stream(seed);
-        let mut known = known(dim, n, &mut stream);
-        let mut sampler = Untried::new(tau, candidates, tries, reach, None).unwrap();
-        let mut counts = vec![0_u32; n + 10];
-        known.compare(&mut sampler, &mut stream, |effects, space, draws| {
-            let mut best: Option<(u32, Vec<f64>, usize)> = None;
-            for _ in 0..candidates {
-                let mut candidate = space.sample(draws);
-                for _ in 1..tries {
-                    if far(effects, &candidate) > tau { break; }
-                    candidate = space.sample(draws);
-                }
-                let (distance, i) = by_distance(effects, &candidate)[0];
-                if distance > reach * tau {
-                    let corners = space.low().iter().zip(space.high());
-                    for ((x, y), (low, high)) in candidate.iter_mut().zip(&effects[i]).zip(corners) {
-                        *x = (y + (*x - y) * (reach * tau / distance)).max(*low).min(*high);
-                    }
-                }
-                if best.as_ref().is_none_or(|best| counts[i] < best.0) {
-                    best = Some((counts[i], candidate, i));
-                }
-                if counts[i] == 0 { break; }
-            }
-            let (_, expected, i) = best.unwrap();
-            counts[i] += 1;
-            expected
-        })?;
-    }
-
-    #[test]
     fn a_round_of_a_grid_has_a_goal_in_each_cell(
         counts in proptest::collection::vec(1..5_usize, 1..4), rounds in 1..4_usize, seed: u64,
     ) {
@@ -186,7 +151,7 @@ proptest! {
     }
 }
 
-/// All samplers that look at effects, and those that do not, in a box of their own or not.
+/// All samplers that need a box, in one of their own or not.
 fn every(goals_box: Option<&Bounds>) -> Vec<Box<dyn GoalSampler>> {
     let goals = || goals_box.cloned();
     vec![
@@ -195,7 +160,6 @@ fn every(goals_box: Option<&Bounds>) -> Vec<Box<dyn GoalSampler>> {
         Box::new(Uncovered::new(0.1, 3, goals()).unwrap()),
         Box::new(Frontier::new(0.1, 2.0, 3, goals()).unwrap()),
         Box::new(Novel::new(3, goals()).unwrap()),
-        Box::new(Untried::new(0.1, 3, 3, 2.0, goals()).unwrap()),
     ]
 }
 

@@ -1,5 +1,5 @@
-//! Environments as the engine calls them: the library's arms in Rust, any other black box back in
-//! Python.
+//! Environments as the engine calls them: those of the library that are in Rust, any other black box
+//! back in Python.
 
 use divbandit_core::Environment;
 use divbandit_core::obstructed_arm::Moving;
@@ -8,12 +8,16 @@ use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
 
 use crate::arm::PyPlanarArm;
 use crate::arrays::{Any, Floats, read_only};
+use crate::linear_projection::PyLinearProjection;
 use crate::obstructed_arm::PyObstructedArm;
 use crate::parts::class_of;
 
 /// The library's own environments that exist in Rust; None for all others.
 pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environment>>> {
-    if !matches!(class_of(part)?.as_deref(), Some("PlanarArm" | "PushArm")) {
+    if !matches!(
+        class_of(part)?.as_deref(),
+        Some("PlanarArm" | "PushArm" | "ArmRepertoire" | "LinearProjection")
+    ) {
         return Ok(None);
     }
     let kernel = part.getattr("_kernel")?;
@@ -21,6 +25,8 @@ pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environm
         Some(Box::new(arm.get().0.clone()))
     } else if let Ok(arm) = kernel.cast::<PyObstructedArm>() {
         Some(Box::new(Moving::from(arm.get().0.clone())))
+    } else if let Ok(projection) = kernel.cast::<PyLinearProjection>() {
+        Some(Box::new(projection.get().0))
     } else {
         None
     })

@@ -21,6 +21,7 @@ mod history;
 mod inverse;
 mod journal;
 mod kdtree;
+mod linear_projection;
 mod measures;
 mod obstructed_arm;
 mod parts;
@@ -49,6 +50,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<inverse::PyInverseModel>()?;
     module.add_class::<journal::PyJournal>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
+    module.add_class::<linear_projection::PyLinearProjection>()?;
     module.add_class::<measures::PyMeasure>()?;
     module.add_class::<obstructed_arm::PyObstacle>()?;
     module.add_class::<obstructed_arm::PyObstructedArm>()?;

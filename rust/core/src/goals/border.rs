@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::kdtree::NearestNeighbors;
 
 /// How many directions are tried around an effect.
-const DIRECTIONS: usize = 4;
+const DIRECTIONS: usize = 8;
 
 /// Upper limit on the effects tried for a goal.
 const EFFECTS: usize = 20;

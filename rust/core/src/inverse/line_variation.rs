@@ -2,7 +2,7 @@
 
 use super::InverseModel;
 use crate::bounds::UniformStream;
-use crate::error::{Error, check_share, check_number};
+use crate::error::{Error, check_number, check_share};
 use crate::history::History;
 
 /// The command of the nearest effect, moved along the line through it and another's, perturbed.

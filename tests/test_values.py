@@ -82,6 +82,8 @@ PARTS = [
     e.Wall((0, 0.5), np.array([0, 2]), thickness=0.125),
     # Environments.
     e.PlanarArm(),
+    m.CellCoverage(3, SQUARE),
+    m.CellCoverage([3, 4], SQUARE),
     db.benchmarks.ArmRepertoire(3),
     db.benchmarks.LinearProjection(4),
     db.benchmarks.LinearProjection(dim=6, objective="sphere"),

@@ -20,6 +20,11 @@ if TYPE_CHECKING:
     Rng = Generator | SeedSequence | int | None
     #: A number for all coordinates, or one for each.
     PerCoordinate = float | tuple[float, ...]
+    #: How many cells there are along each coordinate, or one number for all.
+    Cells = int | tuple[int, ...]
+
+#: Upper limit on the cells of a grid, which are stored one by one.
+_MOST_CELLS = 10_000_000
 
 
 def real(name: str, value: object, *, low: float = -math.inf, high: float = math.inf) -> float:
@@ -65,6 +70,29 @@ def per_coordinate(name: str, value: ArrayLike) -> PerCoordinate:
     if isinstance(value, (Real, bool)):
         return real(name, value)
     return floats(name, value)
+
+
+def cells_of(cells: int | Sequence[int]) -> Cells:
+    """Return how many cells a grid has along each coordinate, or say what is wrong with it."""
+    if not isinstance(cells, (list, tuple, np.ndarray)):
+        return whole("cells", cells, low=1, high=_MOST_CELLS)
+    if len(cells) == 0:
+        raise ValueError("cells must not be empty")
+    return tuple(
+        whole(f"cells[{j}]", count, low=1, high=_MOST_CELLS) for j, count in enumerate(cells)
+    )
+
+
+def check_cells(cells: Cells, dim: int, of: str) -> None:
+    """Raise a ValueError if a grid of `dim` dimensions does not have these cells, or too many."""
+    shape = (cells,) * dim if isinstance(cells, int) else cells
+    if len(shape) != dim:
+        raise ValueError(
+            f"cells must be one number or {dim}, one for each coordinate of the {of}, "
+            f"got {len(shape)}"
+        )
+    if math.prod(shape) > _MOST_CELLS:
+        raise ValueError(f"cells must be at most {_MOST_CELLS} altogether, got {cells!r}")
 
 
 def truth(name: str, value: object) -> bool:

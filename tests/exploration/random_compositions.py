@@ -189,9 +189,11 @@ class _Drawing:
         return bandits.Gain(self.maybe_shared("measure", self.measure))
 
     def measure(self):
-        kind = self.one_of("BallCoverage", "GridCoverage", "Sparseness", "Entropy")
+        kind = self.one_of("BallCoverage", "CellCoverage", "GridCoverage", "Sparseness", "Entropy")
         if kind == "BallCoverage":  # coarse where it has to be estimated
             return measures.BallCoverage(self.draw(TAUS), accuracy=self.one_of(0.05, 0.2))
+        if kind == "CellCoverage":
+            return measures.CellCoverage(self.one_of(1, 7), self.draw(boxes(self.dim)))
         if kind == "Sparseness":
             return measures.Sparseness(self.draw(COUNTS))
         cell = self.one_of(0.1, [self.one_of(0.05, 0.3, 2.0) for _ in range(self.dim)])

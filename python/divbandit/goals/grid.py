@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from divbandit._checks import whole
+from divbandit._checks import cells_of, check_cells
 from divbandit.goals.boxed import BoxedGoals, box_of
 
 if TYPE_CHECKING:
@@ -16,8 +13,6 @@ if TYPE_CHECKING:
 
     from divbandit.box import Box, BoxLike
 
-#: Upper limit on the number of cells, which are stored one by one.
-_MOST_CELLS = 10_000_000
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -66,7 +61,7 @@ class GridGoals(BoxedGoals):
     box: Box | None
 
     def __init__(self, cells: int | Sequence[int], *, box: BoxLike | None = None) -> None:
-        self._set(cells=_cells(cells), box=box_of(box))
+        self._set(cells=cells_of(cells), box=box_of(box))
         self.check(None, has_goals=True)
 
     def check(self, effect_dim: int | None, *, has_goals: bool) -> None:
@@ -89,24 +84,5 @@ class GridGoals(BoxedGoals):
         """
         super().check(effect_dim, has_goals=has_goals)
         dim = effect_dim if self.box is None else self.box.dim
-        if dim is None:
-            return
-        shape = (self.cells,) * dim if isinstance(self.cells, int) else self.cells
-        if len(shape) != dim:
-            raise ValueError(
-                f"cells must be one number or {dim}, one for each coordinate of the goals, "
-                f"got {len(shape)}"
-            )
-        if math.prod(shape) > _MOST_CELLS:
-            raise ValueError(f"cells must be at most {_MOST_CELLS} altogether, got {self.cells!r}")
-
-
-def _cells(cells: int | Sequence[int]) -> int | tuple[int, ...]:
-    """Return the numbers of cells, each of them checked."""
-    if not isinstance(cells, (list, tuple, np.ndarray)):
-        return whole("cells", cells, low=1, high=_MOST_CELLS)
-    if len(cells) == 0:
-        raise ValueError("cells must not be empty")
-    return tuple(
-        whole(f"cells[{j}]", count, low=1, high=_MOST_CELLS) for j, count in enumerate(cells)
-    )
+        if dim is not None:
+            check_cells(self.cells, dim, "goals")

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from divbandit.measures.balls import BallCoverage
 from divbandit.measures.boundary import Loop, to_shapely
+from divbandit.measures.cells import CellCoverage
 from divbandit.measures.coverage import Coverage, coverage
 from divbandit.measures.entropy import Entropy
 from divbandit.measures.grid import GridCoverage
@@ -12,6 +13,7 @@ from divbandit.measures.sparseness import Sparseness
 
 __all__ = [
     "BallCoverage",
+    "CellCoverage",
     "Coverage",
     "Entropy",
     "GridCoverage",
@@ -24,5 +26,11 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:  # what mypy is to hold to the protocols
-    _MEASURES: tuple[type[Measure], ...] = (BallCoverage, Entropy, GridCoverage, Sparseness)
+    _MEASURES: tuple[type[Measure], ...] = (
+        BallCoverage,
+        CellCoverage,
+        Entropy,
+        GridCoverage,
+        Sparseness,
+    )
     _RUNNING: type[RunningMeasure] = Coverage

@@ -19,7 +19,7 @@ class Measure(Protocol):
 
     See Also
     --------
-    BallCoverage, GridCoverage, Sparseness, Entropy
+    BallCoverage, CellCoverage, GridCoverage, Sparseness, Entropy
 
     Examples
     --------

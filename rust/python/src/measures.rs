@@ -2,6 +2,7 @@
 
 use divbandit_core::error::check_finite;
 use divbandit_core::measures::{Measure, MeasureKind};
+use divbandit_core::{Bounds, Error};
 use numpy::IntoPyArray;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -9,7 +10,7 @@ use pyo3::prelude::*;
 use crate::arrays::{Any, Array1, Floats, count};
 use crate::coverage::some_at_once;
 use crate::errors::Result;
-use crate::parts::{class_of, library_class_of, made_of, ours};
+use crate::parts::{class_of, field, library_class_of, made_of, ours};
 
 /// Which measure a part is; None for one that a user defined.
 pub(crate) fn measure_of(part: &Any<'_>) -> Result<Option<MeasureKind>> {
@@ -21,6 +22,11 @@ fn kind_of(class: Option<String>, part: &Any<'_>) -> Result<Option<MeasureKind>>
     Ok(Some(match class.as_deref() {
         Some("BallCoverage") => made_of!(part, MeasureKind::Balls { tau, accuracy }),
         Some("GridCoverage") => made_of!(part, MeasureKind::Grid { cell, origin }),
+        Some("CellCoverage") => {
+            let space: Option<Bounds> = field(part, "box")?;
+            let space = space.ok_or(Error::Empty { name: "box" })?;
+            MeasureKind::Cells { cells: field(part, "cells")?, space }
+        }
         Some("Sparseness") => made_of!(part, MeasureKind::Sparseness { k }),
         Some("Entropy") => made_of!(part, MeasureKind::Entropy { cell, origin }),
         _ => return Ok(None),
@@ -33,7 +39,7 @@ fn kind_of(class: Option<String>, part: &Any<'_>) -> Result<Option<MeasureKind>>
 ///
 /// Parameters
 /// ----------
-/// value : BallCoverage, GridCoverage, Sparseness or Entropy
+/// value : BallCoverage, CellCoverage, GridCoverage, Sparseness or Entropy
 ///     Which measure.
 /// dim : int
 ///     Dimension of the effects.

@@ -53,7 +53,7 @@ impl Grid {
 
 impl Cells {
     /// How many there are along each of `dim` coordinates.
-    fn along(&self, dim: usize) -> impl Iterator<Item = usize> {
+    pub(crate) fn along(&self, dim: usize) -> impl Iterator<Item = usize> {
         let (alike, each) = match self {
             Cells::Alike(count) => (Some(*count), &[][..]),
             Cells::Each(counts) => (None, &counts[..]),
@@ -62,7 +62,7 @@ impl Cells {
     }
 
     /// Checks that they fit `dim` coordinates, and are not too many; returns how many they are.
-    fn check(&self, dim: usize) -> Result<usize, Error> {
+    pub(crate) fn check(&self, dim: usize) -> Result<usize, Error> {
         if let Cells::Each(counts) = self
             && counts.len() != dim
         {

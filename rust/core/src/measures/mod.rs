@@ -2,7 +2,7 @@
 //!
 //! A [`MeasureKind`] says which, and [`start`](MeasureKind::start) makes an empty [`Measure`] of
 //! it for effects of some dimension: the volume of balls around the effects (`balls`), the number
-//! of cells that they occupy (`grid`), how evenly they fill these (`entropy`), or how far each is
+//! of cells that they occupy (`grid`), their share (`share`), how evenly they fill these (`entropy`), or how far each is
 //! from those before it (`sparseness`).
 //!
 //! ```
@@ -22,16 +22,20 @@ mod balls;
 mod cells;
 mod entropy;
 mod grid;
+mod share;
 mod sparseness;
 
 use std::fmt::Debug;
 
+use crate::bounds::Bounds;
 use crate::error::Error;
+use crate::goals;
 use balls::Balls;
 pub use balls::KEY;
 pub use cells::PerCoordinate;
 use entropy::Entropy;
 use grid::Grid;
+use share::Share;
 use sparseness::Sparseness;
 
 /// Upper limit on the dimension; more coordinates are taken for a mistake.
@@ -89,6 +93,13 @@ pub enum MeasureKind {
         /// A corner of the grid.
         origin: PerCoordinate,
     },
+    /// The share of the cells of a box that effects lie in.
+    Cells {
+        /// How many there are along each coordinate.
+        cells: goals::Cells,
+        /// What is cut into cells.
+        space: Bounds,
+    },
     /// The sum of the mean distances of each effect to the nearest before it.
     Sparseness {
         /// How many of the nearest.
@@ -112,6 +123,7 @@ impl MeasureKind {
         Ok(match self {
             Self::Balls { tau, accuracy } => Box::new(Balls::new(*tau, *accuracy, dim)?),
             Self::Grid { cell, origin } => Box::new(Grid::new(cell, origin, dim)?),
+            Self::Cells { cells, space } => Box::new(Share::new(cells, space, dim)?),
             Self::Sparseness { k } => Box::new(Sparseness::new(*k, dim)?),
             Self::Entropy { cell, origin } => Box::new(Entropy::new(cell, origin, dim)?),
         })

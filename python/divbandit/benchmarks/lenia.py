@@ -116,8 +116,8 @@ class Lenia(Value):
 
         twice the mean state and twice the mean change in a unit of time. Both are defined for every
         pattern, change little with it, and are 0 for an empty one. At the same mass, the activity
-        tells patterns at rest from those that move, pulsate or grow. At 1, half of the cells would be
-        full, or would change at full speed; random commands stay well below.
+        tells patterns at rest from those that move, pulsate or grow. At 1, half of the cells would
+        be full, or would change at full speed; random commands stay well below.
 
         Parameters
         ----------

@@ -4,7 +4,7 @@
 //! ICDL-EpiRob 2015):
 //!
 //! 1. [`PlanarArm`], an [`Environment`], turns a motor command into an effect; so does an [`ObstructedArm`]
-//!    among obstacles, which may push a ball;
+//!    among obstacles, which may push a ball, and a [`Maze`];
 //! 2. [`NearestNeighbors`] finds the observed effect nearest to a goal;
 //! 3. [`goals`] draw the goal by what is known, and [`inverse`] models turn it into the next motor
 //!    command, inside its [`Bounds`];
@@ -48,6 +48,7 @@ pub mod instructions;
 pub mod inverse;
 pub mod kdtree;
 pub mod linear_projection;
+pub mod maze;
 pub mod measures;
 pub mod obstructed_arm;
 pub mod paths;
@@ -67,4 +68,5 @@ pub use history::History;
 pub use instructions::Instructions;
 pub use kdtree::NearestNeighbors;
 pub use linear_projection::LinearProjection;
+pub use maze::Maze;
 pub use obstructed_arm::ObstructedArm;

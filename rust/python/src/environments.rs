@@ -1,5 +1,7 @@
 //! Environments as the engine calls them: those of the library that are in Rust, any other black box
 //! back in Python.
+//! Environments as the engine calls them: the library's own in Rust, any other black box back in
+//! Python.
 
 use divbandit_core::Environment;
 use divbandit_core::obstructed_arm::Moving;
@@ -9,6 +11,7 @@ use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
 use crate::arm::PyPlanarArm;
 use crate::arrays::{Any, Floats, read_only};
 use crate::linear_projection::PyLinearProjection;
+use crate::maze::PyMaze;
 use crate::obstructed_arm::PyObstructedArm;
 use crate::parts::class_of;
 
@@ -18,6 +21,7 @@ pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environm
         class_of(part)?.as_deref(),
         Some("PlanarArm" | "PushArm" | "ArmRepertoire" | "LinearProjection")
     ) {
+    if !matches!(class_of(part)?.as_deref(), Some("PlanarArm" | "PushArm" | "Maze")) {
         return Ok(None);
     }
     let kernel = part.getattr("_kernel")?;
@@ -27,6 +31,8 @@ pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environm
         Some(Box::new(Moving::from(arm.get().0.clone())))
     } else if let Ok(projection) = kernel.cast::<PyLinearProjection>() {
         Some(Box::new(projection.get().0))
+    } else if let Ok(maze) = kernel.cast::<PyMaze>() {
+        Some(Box::new(maze.get().0.clone()))
     } else {
         None
     })

@@ -22,6 +22,7 @@ mod inverse;
 mod journal;
 mod kdtree;
 mod linear_projection;
+mod maze;
 mod measures;
 mod obstructed_arm;
 mod parts;
@@ -51,6 +52,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<journal::PyJournal>()?;
     module.add_class::<kdtree::PyNearestNeighbors>()?;
     module.add_class::<linear_projection::PyLinearProjection>()?;
+    module.add_class::<maze::PyMaze>()?;
     module.add_class::<measures::PyMeasure>()?;
     module.add_class::<obstructed_arm::PyObstacle>()?;
     module.add_class::<obstructed_arm::PyObstructedArm>()?;

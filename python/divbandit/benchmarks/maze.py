@@ -50,7 +50,7 @@ class Maze(Value):
     walls : tuple of ((x1, y1), (x2, y2))
         The ends of the 13 walls. With y downwards the robot starts at the bottom left, and the goal
         is at the top left.
-    start, goal : tuple (x, y)
+    goal : tuple (x, y)
 
     Notes
     -----
@@ -81,7 +81,6 @@ class Maze(Value):
         motor_space: Box
         sensory_space: Box
         walls: tuple[tuple[_Point, _Point], ...]
-        start: _Point
         goal: _Point
         _kernel: _core.Maze
 
@@ -93,7 +92,6 @@ class Maze(Value):
             motor_space=Box(-heaviest, heaviest),
             sensory_space=Box(ends.min(axis=0), ends.max(axis=0)),
             walls=tuple(((x1, y1), (x2, y2)) for x1, y1, x2, y2 in kernel.walls.tolist()),
-            start=kernel.start,
             goal=kernel.goal,
             _kernel=kernel,
         )

@@ -82,9 +82,6 @@ impl Maze {
     /// The ends of each wall.
     pub const WALLS: [[[f64; 2]; 2]; 13] = WALLS;
 
-    /// Where the robot starts.
-    pub const START: [f64; 2] = [START.x, START.y];
-
     /// Where it would best end.
     pub const GOAL: [f64; 2] = [GOAL.x, GOAL.y];
 

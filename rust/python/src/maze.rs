@@ -30,12 +30,6 @@ impl PyMaze {
         Maze::LIMIT
     }
 
-    /// Where the robot starts: x and y.
-    #[getter]
-    fn start(&self) -> (f64, f64) {
-        Maze::START.into()
-    }
-
     /// Where the goal is: x and y.
     #[getter]
     fn goal(&self) -> (f64, f64) {

@@ -1,4 +1,4 @@
-"""The command line: ``divbandit reproduce [1 2 3 4]``, ``divbandit study NAME``."""
+"""The command line: ``divbandit reproduce``, ``divbandit study NAME``, ``divbandit benchmark``."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     mpl.use("Agg")
     try:
         options.pop("run")(**options, bar=_bar)
-    except OSError as error:
+    except (ImportError, OSError, ValueError) as error:
         print(f"divbandit: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
@@ -91,10 +91,32 @@ def _parser() -> argparse.ArgumentParser:
         help="of each exploration (default: 10000)",
     )
     study.set_defaults(run=_study)
+    benchmark = commands.add_parser(
+        "benchmark",
+        help="compare default_strategy with pyribs' algorithms on the field's problems",
+        description="Explore problems with default_strategy, the paper's ADAPT, random search and "
+        "pyribs' algorithms, on equal numbers of evaluations: figures as PNG and SVG, a CSV of all "
+        "numbers, and a table of the means. What is in the CSV already is not explored again. "
+        "Needs 'divbandit[cli,ribs,mujoco]'.",
+    )
+    benchmark.add_argument(
+        "names", nargs="*", metavar="NAME", help="which problems, such as 'arm 20' (default: all)"
+    )
+    _add_options(benchmark, out="benchmark", jobs="processes", repetitions=5)
+    benchmark.add_argument(
+        "--budget",
+        type=_from(50),
+        default=None,
+        metavar="N",
+        help="evaluations of each exploration (default: each problem's own)",
+    )
+    benchmark.set_defaults(run=_benchmark)
     return parser
 
 
-def _add_options(parser: argparse.ArgumentParser, *, out: str, jobs: str) -> None:
+def _add_options(
+    parser: argparse.ArgumentParser, *, out: str, jobs: str, repetitions: int = 25
+) -> None:
     """Add the options that all commands have."""
     parser.add_argument(
         "--out", default=out, metavar="DIR", help=f"where to put the files (default: {out})"
@@ -102,9 +124,9 @@ def _add_options(parser: argparse.ArgumentParser, *, out: str, jobs: str) -> Non
     parser.add_argument(
         "--repetitions",
         type=_from(1),
-        default=25,
+        default=repetitions,
         metavar="N",
-        help="explorations behind each mean (default: 25, as in the paper; 3 for a quick look)",
+        help=f"explorations behind each mean (default: {repetitions}; 3 for a quick look)",
     )
     parser.add_argument("--seed", type=_from(0), default=0, metavar="N", help="(default: 0)")
     parser.add_argument(
@@ -134,6 +156,12 @@ def _reproduce(*, figures: list[int], **options: Any) -> None:  # noqa: ANN401 -
     compared = reproduce(figures or (1, 2, 3, 4), **options)
     if compared:
         print(comparison.table(compared))
+
+
+def _benchmark(**options: Any) -> None:  # noqa: ANN401 - checked there
+    from divbandit.studies.benchmark import benchmark  # noqa: PLC0415 - only now needed
+
+    print(benchmark(**options))
 
 
 def _study(**options: Any) -> None:  # noqa: ANN401 - checked there

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from divbandit.box import Box, BoxLike
 
 
-
 @dataclass(frozen=True, init=False, repr=False)
 class GridGoals(BoxedGoals):
     """Goals uniform in the cells of a grid: each cell once, in random order, then each again.

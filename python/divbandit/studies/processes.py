@@ -27,6 +27,7 @@ def over_processes(
     *,
     jobs: int | None = None,
     progress: Progress | None = None,
+    found: Callable[[Result], None] = lambda _: None,
 ) -> list[Result]:
     """Return ``[function(item) for item in items]``, worked out by several processes.
 
@@ -43,6 +44,8 @@ def over_processes(
         How many processes; by default one for each core. With 1 all is done in this one.
     progress : callable, optional
         Called without arguments whenever one more is done.
+    found : callable
+        Called with each result as soon as it is there, in the order in which they come in.
 
     Raises
     ------
@@ -60,6 +63,7 @@ def over_processes(
     if jobs <= 1:
         for item in items:
             results.append(function(item))
+            found(results[-1])
             told()
         return results
     workers = Workers(function, jobs, None, user="a study")
@@ -70,7 +74,7 @@ def over_processes(
         for future in futures:
             undisturbed(future.add_done_callback, done.put)
         for _ in items:
-            undisturbed(done.get().result)
+            found(undisturbed(done.get().result))
             told()
         return [undisturbed(future.result) for future in futures]
     finally:

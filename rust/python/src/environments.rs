@@ -1,5 +1,3 @@
-//! Environments as the engine calls them: those of the library that are in Rust, any other black box
-//! back in Python.
 //! Environments as the engine calls them: the library's own in Rust, any other black box back in
 //! Python.
 
@@ -17,11 +15,8 @@ use crate::parts::class_of;
 
 /// The library's own environments that exist in Rust; None for all others.
 pub(crate) fn environment_of(part: &Any<'_>) -> PyResult<Option<Box<dyn Environment>>> {
-    if !matches!(
-        class_of(part)?.as_deref(),
-        Some("PlanarArm" | "PushArm" | "ArmRepertoire" | "LinearProjection")
-    ) {
-    if !matches!(class_of(part)?.as_deref(), Some("PlanarArm" | "PushArm" | "Maze")) {
+    const NATIVE: [&str; 5] = ["PlanarArm", "PushArm", "ArmRepertoire", "LinearProjection", "Maze"];
+    if !class_of(part)?.is_some_and(|class| NATIVE.contains(&class.as_str())) {
         return Ok(None);
     }
     let kernel = part.getattr("_kernel")?;

@@ -28,7 +28,7 @@ def test_its_parts():
         bandits.Discounted(0.99, head_start=1),
         bandits.Proportional(0.05, power=16.0),
     )
-    assert default.rewarding == bandits.Gain(measures.BallCoverage(0.5))
+    assert default.rewarding == bandits.Gain(measures.BallCoverage(0.5, accuracy=0.05))
     assert list(default.strategies) == bandits.default_strategies(0.5, goals=box)
     assert all(part.goals.box.high.tolist() == [1, 1] for part in default.strategies[1:])
     assert db.default_strategy(0.5) == db.default_strategy(0.5)

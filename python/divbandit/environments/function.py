@@ -31,7 +31,8 @@ class FunctionEnvironment(Value):
     motor_space : Box or object with ``low`` and ``high``
         M, the box of all motor commands.
     sensory_space : Box or object with ``low`` and ``high``, optional
-        A box in S to draw goals from. Without it, goal babbling needs its own goals.
+        A box in S to draw goals from. Without it, goal babbling needs its own goals;
+        `default_strategy` does not need it.
     scalars : bool
         Whether `f` takes the m numbers of a command as m arguments, each a float.
     vectorized : bool

@@ -524,7 +524,13 @@ def _names_and_measure(strategy: Strategy) -> tuple[tuple[str, ...], Measure | N
     parts = getattr(strategy, "strategies", None) or [strategy]
     reward = getattr(strategy, "rewarding", None)
     measure = reward.measure if isinstance(reward, Gain) else None
-    return tuple(type(part).__name__ for part in parts), measure
+    return tuple(map(_name_of, parts)), measure
+
+
+def _name_of(strategy: Strategy) -> str:
+    """Return the class of a strategy, and that of its inverse model if it was given one."""
+    name, inverse = type(strategy).__name__, getattr(strategy, "inverse", None)
+    return name if inverse is None else f"{name} ({type(inverse).__name__})"
 
 
 def _commands_and_effects(past: object) -> tuple[ArrayLike, ArrayLike]:

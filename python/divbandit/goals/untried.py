@@ -64,7 +64,7 @@ class UntriedGoals(BoxedGoals):
     >>> history = db.History(db.Box([0], [1]), db.Box([0], [1]))
     >>> history.append([0.5], [0.0])
     >>> history.append([0.6], [1.0])
-    >>> sampler = db.goals.UntriedGoals(0.1, reach=1.0).start(history)
+    >>> sampler = db.goals.UntriedGoals(0.1, reach=1.0, box=db.Box([0], [1])).start(history)
     >>> rng = np.random.default_rng(0)
     >>> sorted(round(float(sampler.sample(history, rng)[0]), 6) for _ in range(4))
     [0.1, 0.1, 0.9, 0.9]

@@ -45,7 +45,7 @@ class Crossover(KernelModel):
     >>> history.append([0.25] * 4, [7.0])
     >>> history.append([0.75] * 4, [9.0])
     >>> db.inverse.Crossover(d=0.0).command([7.5], history, np.random.default_rng(0))
-    array([0.75, 0.25, 0.25, 0.25])
+    array([0.75, 0.75, 0.25, 0.25])
     >>> babbling = db.GoalBabbling(inverse=db.inverse.Crossover())
     >>> run = db.explore(db.PlanarArm(20), babbling, n=100, rng=0)
     """

@@ -87,11 +87,16 @@ class _Ribs:
         for _ in range(self.count):
             seed = next(self.seeds)
             first = np.random.default_rng(seed).random((_BATCH, self.m))
+            options["bounds"] = [(0.0, 1.0)] * self.m
             made.append(self._emitter(archive, kind, seed, initial_solutions=first, **options))
         return made
 
     def evolution(self, archive: Any, ranker: str, **options: Any) -> list[Any]:  # noqa: ANN401
-        """Return evolution strategies, which start in the middle."""
+        """Return evolution strategies, which start in the middle.
+
+        They have no bounds, as commands are clipped: with bounds they draw until all coordinates
+        are within, which in 100 dimensions may take for ever.
+        """
         kind, options = "EvolutionStrategy", {"sigma0": self.sigma, "ranker": ranker, **options}
         options["x0"] = [0.5] * self.m
         seeds = (next(self.seeds) for _ in range(self.count))
@@ -99,8 +104,7 @@ class _Ribs:
 
     def _emitter(self, archive: Any, kind: str, seed: int, **options: Any) -> Any:  # noqa: ANN401
         make = getattr(self.emitters, f"{kind}Emitter")
-        bounds = [(0.0, 1.0)] * self.m
-        return make(archive, bounds=bounds, batch_size=_BATCH, seed=seed, **options)
+        return make(archive, batch_size=_BATCH, seed=seed, **options)
 
     def scheduler(self, name: str) -> Any:  # noqa: ANN401
         """Return the scheduler of an algorithm."""

@@ -9,13 +9,17 @@
 use super::directions::SETS;
 use super::rays::Shares;
 
-/// The mean of the sets' free shares, and its standard error. `expected` is the covered
-/// share's known mean, where it was sampled.
-pub(super) fn combine(sets: &[Shares; SETS], expected: Option<f64>) -> (f64, f64) {
-    let mut free = sets.map(|set| set.free);
+/// The mean of the sets' free shares, and its standard error, of at most SETS sets. `expected` is
+/// the covered share's known mean, where it was sampled.
+pub(super) fn combine(sets: &[Shares], expected: Option<f64>) -> (f64, f64) {
+    let n = sets.len() as f64;
+    let mean = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |sum, x| sum + x) / n;
+    let mut free = [0.0; SETS];
+    let free = &mut free[..sets.len()];
+    free.iter_mut().zip(sets).for_each(|(free, set)| *free = set.free);
     if let Some(expected) = expected {
-        let n = SETS as f64;
-        let (free_mean, covered_mean) = (mean(&free), mean(&sets.map(|set| set.covered)));
+        let free_mean = mean(&mut free.iter().copied());
+        let covered_mean = mean(&mut sets.iter().map(|set| set.covered));
         let (mut cross, mut square) = (0.0, 0.0);
         for set in sets {
             let covered = set.covered - covered_mean;
@@ -33,11 +37,7 @@ pub(super) fn combine(sets: &[Shares; SETS], expected: Option<f64>) -> (f64, f64
             *free -= factor * (set.covered - expected);
         }
     }
-    let mean = mean(&free);
+    let mean = mean(&mut free.iter().copied());
     let squares = free.iter().fold(0.0, |sum, x| sum + (x - mean) * (x - mean));
-    (mean, (squares / ((SETS - 1) * SETS) as f64).sqrt())
-}
-
-fn mean(values: &[f64; SETS]) -> f64 {
-    values.iter().fold(0.0, |sum, x| sum + x) / SETS as f64
+    (mean, (squares / ((n - 1.0) * n)).sqrt())
 }

@@ -25,7 +25,7 @@ def test_its_parts():
     box = db.Box([0, 0], [1, 1])
     default = db.default_strategy(0.5, goals=box)
     assert (default.estimator, default.policy) == (
-        bandits.Discounted(0.99, head_start=1),
+        bandits.Discounted(0.995, head_start=1),
         bandits.Proportional(0.05, power=16.0),
     )
     assert default.rewarding == bandits.Gain(measures.BallCoverage(0.5, accuracy=0.05))

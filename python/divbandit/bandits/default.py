@@ -61,7 +61,8 @@ def default_strategy(tau: float, *, goals: BoxLike | None = None) -> Bandit:
     True
     """
     reward = Gain(BallCoverage(tau, accuracy=_ACCURACY))
-    return discounted_adapt(default_strategies(tau, goals=goals), power=16.0, reward=reward)
+    strategies = default_strategies(tau, goals=goals)
+    return discounted_adapt(strategies, gamma=0.995, power=16.0, reward=reward)
 
 
 def default_strategies(tau: float, *, goals: BoxLike | None = None) -> list[Strategy]:

@@ -85,7 +85,7 @@ def _with(goals: GoalSampler, parts: Sequence[Strategy]) -> list[Strategy]:
 
 
 def _bandit(strategies: Sequence[Strategy], tau: float) -> Strategy:
-    return discounted_adapt(strategies, power=16.0, tau=tau)
+    return discounted_adapt(strategies, gamma=0.995, power=16.0, tau=tau)
 
 
 def cases(steps: int) -> dict[Key, Case]:

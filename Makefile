@@ -11,7 +11,7 @@ PIP    := $(BIN)/python -m pip install --quiet --constraint requirements.txt
 export VIRTUAL_ENV := $(CURDIR)/$(VENV)
 
 .DEFAULT_GOAL := help
-.PHONY: help reproduce studies test lint types test-rust test-python test-wheel bench fuzz lock clean develop
+.PHONY: help reproduce studies benchmark test lint types test-rust test-python test-wheel bench fuzz lock clean develop
 
 help: ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## /\1\t/' | expand -t 14
@@ -21,6 +21,9 @@ reproduce: $(VENV)/.run develop ## the paper's four figures and the comparison, 
 
 studies: $(VENV)/.test develop ## the studies of docs/studies.md and docs/environments.md, into studies/
 	for study in rules strategies composition environments; do $(BIN)/divbandit study $$study --out studies || exit 1; done
+
+benchmark: $(VENV)/.test develop ## default_strategy beside pyribs, into benchmark/ (half an hour)
+	$(BIN)/divbandit benchmark --out benchmark
 
 test: $(VENV)/.test lint develop types test-rust test-python test-wheel ## every check that CI runs
 

@@ -14,7 +14,7 @@ use divbandit_core::bandits::policies::PolicyKind;
 use divbandit_core::bandits::rewards::RewardKind;
 use divbandit_core::goals::{Uniform, Untried};
 use divbandit_core::history::Log;
-use divbandit_core::inverse::{LocalJacobian, Nearest};
+use divbandit_core::inverse::{Crossover, InverseModel, LineVariation, LocalJacobian, Nearest};
 use divbandit_core::measures::MeasureKind;
 use divbandit_core::strategies::{GoalBabbling, MotorBabbling};
 use divbandit_core::{
@@ -39,23 +39,24 @@ struct Run {
     choices: Vec<usize>,
 }
 
-/// Explores with ADAPT over motor babbling and this goal babbling.
+/// Explores with a bandit over motor babbling and these goal babblings.
 fn explored(
-    babbling: GoalBabbling,
-    (window, alpha, power): (usize, f64, f64),
+    babblings: Vec<GoalBabbling>,
+    estimator: EstimatorKind,
+    policy: PolicyKind,
     n: usize,
     seed: u64,
 ) -> Log {
     let space = Bounds::new(vec![-LIMIT; JOINTS], vec![LIMIT; JOINTS]).unwrap();
     let reachable = Bounds::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
     let mut strategies = Composition::default();
-    let parts = vec![strategies.add(MotorBabbling), strategies.add(babbling)];
+    let mut parts = vec![strategies.add(MotorBabbling)];
+    parts.extend(babblings.into_iter().map(|each| strategies.add(each)));
+    let count = parts.len();
     let reward = RewardKind::Gain(MeasureKind::Balls { tau: TAU, accuracy: 1e-3 });
-    let estimator = EstimatorKind::Window { size: window, head_start: 1 };
-    let policy = PolicyKind::Proportional { alpha, power };
-    let bandit = Bandit::new(2, reward, estimator, policy, Some(2)).unwrap();
+    let bandit = Bandit::new(count, reward, estimator, policy, Some(2)).unwrap();
     let root = strategies.compose(bandit, parts).unwrap();
-    let mut history = History::new(space, Some(reachable), true, 2).unwrap();
+    let mut history = History::new(space, Some(reachable), true, count).unwrap();
     let mut run = Exploration::new(strategies, root, &history).unwrap();
     let (mut arm, mut stream) = (PlanarArm::new(JOINTS, LIMIT).unwrap(), Stream(seed));
     run.run(&mut arm, &mut history, n, &mut || stream.unit()).unwrap();
@@ -65,14 +66,29 @@ fn explored(
 /// ADAPT as in the paper.
 fn explore(d: f64, n: usize, seed: u64) -> Log {
     let (goals, inverse) = (Uniform::new(None).unwrap(), Nearest::new(d).unwrap());
-    explored(GoalBabbling::new(Box::new(goals), Box::new(inverse)), (WINDOW, 0.1, 1.0), n, seed)
+    let babbling = GoalBabbling::new(Box::new(goals), Box::new(inverse));
+    let estimator = EstimatorKind::Window { size: WINDOW, head_start: 1 };
+    explored(
+        vec![babbling],
+        estimator,
+        PolicyKind::Proportional { alpha: 0.1, power: 1.0 },
+        n,
+        seed,
+    )
 }
 
 /// What `default_strategy` makes in Python.
 fn explore_by_default(n: usize, seed: u64) -> Log {
-    let goals = Untried::new(TAU, 12, 20, 4.0, None).unwrap();
-    let inverse = LocalJacobian::new(50, 10, 0.01, 0.015, 0.3).unwrap();
-    explored(GoalBabbling::new(Box::new(goals), Box::new(inverse)), (200, 0.05, 8.0), n, seed)
+    let models: [Box<dyn InverseModel>; 4] = [
+        Box::new(LocalJacobian::new(50, 10, 0.01, 0.2, 0.3).unwrap()),
+        Box::new(LocalJacobian::new(50, 10, 0.01, 0.015, 0.3).unwrap()),
+        Box::new(LineVariation::new(0.005, 0.2).unwrap()),
+        Box::new(Crossover::new(100, 0.01).unwrap()),
+    ];
+    let goals = || Box::new(Untried::new(TAU, 12, 20, 4.0, None).unwrap());
+    let babblings = models.into_iter().map(|model| GoalBabbling::new(goals(), model)).collect();
+    let estimator = EstimatorKind::Discounted { gamma: 0.995, head_start: 1 };
+    explored(babblings, estimator, PolicyKind::Proportional { alpha: 0.05, power: 16.0 }, n, seed)
 }
 
 /// The best of several times of `work`, in ns a step.

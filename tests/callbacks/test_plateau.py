@@ -110,7 +110,7 @@ PROGRESS = db.Adapt([RMB], reward=CompetenceProgress())
         (db.Mixture([RMB, db.Mixture([ADAPT, ADAPT])]), Entropy(0.5)),
         (db.Adapt([ADAPT], tau=0.25), BallCoverage(0.25)),
         (db.Adapt([RMB, ADAPT], reward=CompetenceProgress()), Entropy(0.5)),
-        (db.default_strategy(0.125), BallCoverage(0.125)),
+        (db.default_strategy(0.125), BallCoverage(0.125, accuracy=0.05)),
     ],
 )
 @pytest.mark.parametrize("engine", ["auto", "python"])

@@ -20,6 +20,7 @@ __all__ = [
     "History",
     "InverseModel",
     "Journal",
+    "LinearProjection",
     "Maze",
     "Measure",
     "NearestNeighbors",

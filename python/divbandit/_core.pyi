@@ -1,7 +1,7 @@
 # The compiled kernels; `import divbandit` brings all that is public.
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, Protocol, TypeAlias, TypeVar, overload
+from typing import Any, Final, Literal, Protocol, TypeAlias, TypeVar, overload
 
 import numpy as np
 from numpy.random import Generator
@@ -54,6 +54,7 @@ class PlanarArm:
 
 @final
 class LinearProjection:
+    FOLD: Final[float]
     def __new__(cls, dim: int) -> Self: ...
     def effect(self, command: ArrayLike) -> NDArray[np.float64]: ...
 

@@ -70,7 +70,8 @@ def test_two_processes_reach_the_same(made, tmp_path):
 
 @pytest.mark.parametrize("problem", PROBLEMS, ids=lambda problem: problem.name)
 def test_the_default_explores_every_problem(problem):
-    effects, seconds = explored(CONTENDERS[0], problem, [5, 20], np.random.SeedSequence(0))
+    rng = np.random.SeedSequence(0)
+    effects, seconds = explored(CONTENDERS[0], problem, problem.make(), [5, 20], rng)
     assert effects.shape == (20, 2)
     assert 0 < seconds[0] < seconds[1]
     assert np.isfinite(effects).all()

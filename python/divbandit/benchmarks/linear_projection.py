@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-#: Where a coordinate folds back; half of the motor range.
-FOLD = 5.12
+#: Where a coordinate folds back, 5.12: half of the upper limit of commands.
+FOLD = _core.LinearProjection.FOLD
 
 #: Where the optimum of the sphere and of Rastrigin's function lies, in each coordinate.
 _OPTIMUM = 0.4 * FOLD

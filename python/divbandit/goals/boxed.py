@@ -1,4 +1,4 @@
-"""BoxedGoals: the base of goal samplers that draw in a box, by default the sensory space."""
+"""BoxedGoals: the base of goal samplers that can be given a box to draw in."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class BoxedGoals(Value):
     Attributes
     ----------
     box : Box or None
-        Where goals are drawn; None for the sensory space.
+        Where goals are drawn; None for the sensory space, or what the sampler draws in instead.
 
     Examples
     --------

@@ -53,6 +53,7 @@ pub mod measures;
 pub mod obstructed_arm;
 pub mod paths;
 mod push_arm;
+pub mod shape;
 pub mod strategies;
 pub mod trig;
 
@@ -70,3 +71,4 @@ pub use kdtree::NearestNeighbors;
 pub use linear_projection::LinearProjection;
 pub use maze::Maze;
 pub use obstructed_arm::ObstructedArm;
+pub use shape::Shape;

@@ -2,10 +2,8 @@
 
 use crate::oracles::past::past;
 use crate::oracles::{Stream, by_distance, fixed};
-use divbandit_core::goals::{
-    Cells, Frontier, GoalSampler, Grid, Novel, Uncovered, Uniform, Untried,
-};
-use divbandit_core::{Bounds, Error, History, UniformStream};
+use divbandit_core::goals::{Frontier, GoalSampler, Grid, Novel, Uncovered, Uniform, Untried};
+use divbandit_core::{Bounds, Error, History, Shape, UniformStream};
 use proptest::prelude::*;
 
 /// Effects in and around a box, and their history.
@@ -131,7 +129,7 @@ proptest! {
         let dim = counts.len();
         let space = Bounds::new(vec![-1.0; dim], vec![1.0; dim]).unwrap();
         let mut history = past(&line(), None, dim, &[], &[]);
-        let mut sampler = Grid::new(Cells::Each(counts.clone()), Some(space.clone())).unwrap();
+        let mut sampler = Grid::new(Shape::Each(counts.clone()), Some(space.clone())).unwrap();
         let (total, mut goal) = (counts.iter().product(), Vec::new());
         for _ in 0..rounds {
             let mut seen = vec![false; total];
@@ -156,7 +154,7 @@ fn every(goals_box: Option<&Bounds>) -> Vec<Box<dyn GoalSampler>> {
     let goals = || goals_box.cloned();
     vec![
         Box::new(Uniform::new(goals()).unwrap()),
-        Box::new(Grid::new(Cells::Alike(3), goals()).unwrap()),
+        Box::new(Grid::new(Shape::Alike(3), goals()).unwrap()),
         Box::new(Uncovered::new(0.1, 3, goals()).unwrap()),
         Box::new(Frontier::new(0.1, 2.0, 3, goals()).unwrap()),
         Box::new(Novel::new(3, goals()).unwrap()),
@@ -217,12 +215,12 @@ fn settings_are_checked() {
     assert_eq!(Novel::new(0, None).unwrap_err(), none("candidates"));
     assert_eq!(Untried::new(0.1, 0, 1, 1.0, None).unwrap_err(), none("candidates"));
     assert_eq!(Untried::new(0.1, 1, 0, 1.0, None).unwrap_err(), none("tries"));
-    assert_eq!(Grid::new(Cells::Alike(0), None).unwrap_err(), none("cells"));
-    assert_eq!(Grid::new(Cells::Each(vec![2, 0]), None).unwrap_err(), none("cells"));
-    assert_eq!(Grid::new(Cells::Each(vec![]), None).unwrap_err(), Error::Empty { name: "cells" });
-    let two = Grid::new(Cells::Each(vec![2, 2]), Some(line())).unwrap_err();
+    assert_eq!(Grid::new(Shape::Alike(0), None).unwrap_err(), none("cells"));
+    assert_eq!(Grid::new(Shape::Each(vec![2, 0]), None).unwrap_err(), none("cells"));
+    assert_eq!(Grid::new(Shape::Each(vec![]), None).unwrap_err(), Error::Empty { name: "cells" });
+    let two = Grid::new(Shape::Each(vec![2, 2]), Some(line())).unwrap_err();
     assert_eq!(two, Error::Length { name: "cells", must_be: 1, got: 2 });
-    let many = Grid::new(Cells::Alike(10_000_001), Some(line())).unwrap_err();
+    let many = Grid::new(Shape::Alike(10_000_001), Some(line())).unwrap_err();
     assert_eq!(many.to_string(), "cells must be at most 10000000 altogether, got 10000001");
 }
 

@@ -1,6 +1,7 @@
 //! Binding of the linear projection.
 
 use divbandit_core::LinearProjection;
+use divbandit_core::linear_projection::FOLD;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
@@ -18,6 +19,10 @@ pub(crate) struct PyLinearProjection(pub LinearProjection);
 
 #[pymethods]
 impl PyLinearProjection {
+    /// Where a coordinate folds back.
+    #[classattr]
+    const FOLD: f64 = FOLD;
+
     #[new]
     fn new(dim: &Any<'_>) -> Result<Self> {
         Ok(Self(LinearProjection::new(count("dim", dim)?)?))
@@ -28,8 +33,8 @@ impl PyLinearProjection {
         let (py, m) = (command.py(), self.0.dim());
         let command = Floats::either("command", command, m)?;
         let numbers = command.copied()?;
-        let effects = numbers.chunks_exact(m).map(|each| self.0.effect(each));
-        let effects = effects.collect::<std::result::Result<Vec<_>, _>>()?.concat();
+        let each = || numbers.chunks_exact(m).map(|each| self.0.effect(each));
+        let effects = py.detach(|| each().collect::<std::result::Result<Vec<_>, _>>())?.concat();
         if command.is_batch() {
             return Ok(rows(py, effects, 2)?.into_any());
         }

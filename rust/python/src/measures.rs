@@ -25,7 +25,7 @@ fn kind_of(class: Option<String>, part: &Any<'_>) -> Result<Option<MeasureKind>>
         Some("CellCoverage") => {
             let space: Option<Bounds> = field(part, "box")?;
             let space = space.ok_or(Error::Empty { name: "box" })?;
-            MeasureKind::Cells { cells: field(part, "cells")?, space }
+            MeasureKind::Share { cells: field(part, "cells")?, space }
         }
         Some("Sparseness") => made_of!(part, MeasureKind::Sparseness { k }),
         Some("Entropy") => made_of!(part, MeasureKind::Entropy { cell, origin }),

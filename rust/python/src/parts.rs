@@ -1,8 +1,7 @@
 //! Parts: the library's immutable values, read field by field from the Python objects.
 
-use divbandit_core::Bounds;
-use divbandit_core::goals::Cells;
 use divbandit_core::measures::PerCoordinate;
+use divbandit_core::{Bounds, Shape};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
@@ -83,7 +82,7 @@ impl Field for PerCoordinate {
 }
 
 /// A number of cells, or one for each coordinate.
-impl Field for Cells {
+impl Field for Shape {
     fn read(value: &Any<'_>) -> PyResult<Self> {
         value.extract().map(Self::Alike).or_else(|_| value.extract().map(Self::Each))
     }

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-from typing import TYPE_CHECKING, NamedTuple
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from divbandit._checks import one_of, whole
-from divbandit._files import write_csv
 from divbandit.measures import CellCoverage, Coverage
 from divbandit.paper import setting
 from divbandit.paper.reproduce import folder_for, no_bar
@@ -17,49 +13,18 @@ from divbandit.studies.benchmark.contenders import CONTENDERS, DEFAULT, explored
 from divbandit.studies.benchmark.drawing import figure_of
 from divbandit.studies.benchmark.peers import CELLS
 from divbandit.studies.benchmark.problems import NAMES, PROBLEMS
+from divbandit.studies.benchmark.table import Row, Run, Table, read, summary
 from divbandit.studies.processes import over_processes
 
 if TYPE_CHECKING:
     import os
     from collections.abc import Iterable, Sequence
-    from pathlib import Path
-
-    from typing_extensions import Self
 
     from divbandit.paper.reproduce import Bar
     from divbandit.studies.benchmark.problems import Problem
 
 #: After which shares of the budget it is measured.
 _MARKS = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
-
-
-class Row(NamedTuple):
-    """What one exploration has reached at one time; the columns of the table of all numbers."""
-
-    problem: str
-    contender: str
-    budget: int
-    seed: int
-    repetition: int
-    evaluations: int
-    seconds: float
-    coverage: float
-    cells: float
-
-    @property
-    def run(self) -> tuple[str, str, int, int, int]:
-        """The exploration that it is of."""
-        return self[:5]
-
-
-class _Run(NamedTuple):
-    """An exploration to be made."""
-
-    problem: str
-    contender: str
-    budget: int
-    seed: int
-    repetition: int
 
 
 def benchmark(
@@ -86,7 +51,7 @@ def benchmark(
         Which problems; by default all.
     out : str or path
         The folder; made if it is not there. Explorations that are in its CSV already are not made
-        again.
+        again, not even where the library has changed since.
     budget : int, optional
         Evaluations of an exploration; by default each problem has its own.
     repetitions : int
@@ -124,16 +89,16 @@ def benchmark(
     folder = folder_for(out, repetitions=repetitions, seed=seed, jobs=jobs)
     problems = [problem for problem in PROBLEMS if not names or problem.name in names]
     runs = [
-        _Run(problem.name, contender, budget or problem.budget, seed, repetition)
+        Run(problem.name, contender, budget or problem.budget, seed, repetition)
         for problem in problems
         for contender in CONTENDERS
         for repetition in range(repetitions)
     ]
     path = folder / "benchmark.csv"
-    known = _read(path)
+    known = read(path)
     there = {row.run for row in known}
     missing = [run for run in runs if run not in there]
-    with (bar or no_bar)("benchmark", len(missing)) as progress, _Table(path, known) as table:
+    with (bar or no_bar)("benchmark", len(missing)) as progress, Table(path, known) as table:
         over_processes(_made, missing, jobs=jobs, progress=progress, found=table.add)
     wanted = set(runs)
     rows = [row for row in table.rows if row.run in wanted]
@@ -150,15 +115,16 @@ def _of(problem: Problem, rows: Iterable[Row]) -> dict[str, list[Row]]:
     return {name: [row for row in mine if row.contender == name] for name in CONTENDERS}
 
 
-def _made(run: _Run) -> list[Row]:
+def _made(run: Run) -> list[Row]:
     """Make an exploration, and measure it."""
     problem = PROBLEMS[NAMES.index(run.problem)]
     place = NAMES.index(run.problem), CONTENDERS.index(run.contender), run.repetition
     marks = [max(1, round(share * run.budget)) for share in _MARKS]
     rng = setting.seed_of(run.seed, 9, *place)
-    effects, seconds = explored(run.contender, problem, marks, rng)
-    space = problem.make().sensory_space
+    environment = problem.make()
+    space = environment.sensory_space
     assert space is not None  # noqa: S101 - all problems have one
+    effects, seconds = explored(run.contender, problem, environment, marks, rng)
     covered, cells = Coverage(problem.tau), CellCoverage(CELLS, space).start(2)
     rows = []
     for mark, second in zip(marks, seconds, strict=True):
@@ -169,48 +135,6 @@ def _made(run: _Run) -> list[Row]:
     return rows
 
 
-class _Table:
-    """The CSV of all numbers, which grows with each exploration."""
-
-    def __init__(self, path: Path, rows: list[Row]) -> None:
-        self._path, self.rows = path, rows
-
-    def __enter__(self) -> Self:
-        write_csv(self._path, Row._fields, self.rows)
-        self._file = self._path.open("a", newline="", encoding="utf-8")
-        return self
-
-    def add(self, rows: list[Row]) -> None:
-        """Append what one exploration has reached."""
-        self.rows += rows
-        csv.writer(self._file, lineterminator="\n").writerows(rows)
-        self._file.flush()
-
-    def __exit__(self, *_: object) -> None:
-        self._file.close()
-
-
-def _read(path: Path) -> list[Row]:
-    """Return what is in a table already: explorations of which all rows are there."""
-    if not path.exists():
-        return []
-    with path.open(newline="", encoding="utf-8") as file:
-        head, *lines = csv.reader(file)
-    if tuple(head) != Row._fields:
-        raise ValueError(f"out must hold a table of this benchmark, or none, got {str(path)!r}")
-    rows = [_row(line) for line in lines if len(line) == len(Row._fields)]
-    ended = {row.run for row in rows if row.evaluations == row.budget}
-    return [row for row in rows if row.run in ended]
-
-
-def _row(line: list[str]) -> Row:
-    """Return a line of the table as numbers."""
-    problem, contender, *numbers = line
-    budget, seed, repetition, evaluations = map(int, numbers[:4])
-    seconds, coverage, cells = map(float, numbers[4:])
-    return Row(problem, contender, budget, seed, repetition, evaluations, seconds, coverage, cells)
-
-
 def _text(problem: Problem, rows: dict[str, list[Row]]) -> str:
     """Return what was reached in the end as text: means and deviations."""
     unit = f" ({problem.unit}²)" if problem.unit else ""
@@ -218,8 +142,7 @@ def _text(problem: Problem, rows: dict[str, list[Row]]) -> str:
     head = f"{problem.name}, {budget} evaluations"
     lines = [f"{head:30}{'coverage' + unit:13}{'cells (%)':>15}{'seconds':>15}"]
     for name, mine in rows.items():
-        last = np.array([row[-3:] for row in mine if row.evaluations == row.budget])
-        (t, area, cells), (_, area_s, cells_s) = last.mean(axis=0), last.std(axis=0)
-        share = f"{100 * cells:7.2f} ± {100 * cells_s:<6.2f}"
+        (t, area, cells), (_, area_s, cells_s) = (each[-1] for each in summary(mine)[1:])
+        share = f"{cells:7.2f} ± {cells_s:<6.2f}"
         lines.append(f"  {name:22}{area:10.4g} ± {area_s:<8.2g}{share}{t:9.3g}")
     return "\n".join(lines)

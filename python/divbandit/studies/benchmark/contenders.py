@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.random import SeedSequence
     from numpy.typing import NDArray
 
+    from divbandit.environments import Environment
     from divbandit.strategies import Strategy
     from divbandit.studies.benchmark.problems import Problem
 
@@ -45,7 +46,7 @@ def strategy_of(name: str, tau: float) -> Strategy:
 
 
 def explored(
-    name: str, problem: Problem, marks: Sequence[int], rng: SeedSequence
+    name: str, problem: Problem, environment: Environment, marks: Sequence[int], rng: SeedSequence
 ) -> tuple[NDArray[np.float64], list[float]]:
     """Return the effects of an exploration, and the seconds that it took to each mark.
 
@@ -53,11 +54,11 @@ def explored(
     --------
     >>> import numpy as np
     >>> from divbandit.studies.benchmark.problems import PROBLEMS
-    >>> effects, seconds = explored("ADAPT", PROBLEMS[2], [50, 100], np.random.SeedSequence(0))
+    >>> problem, rng = PROBLEMS[2], np.random.SeedSequence(0)
+    >>> effects, seconds = explored("ADAPT", problem, problem.make(), [50, 100], rng)
     >>> effects.shape, len(seconds)
     ((100, 2), 2)
     """
-    environment = problem.make()
     if name in PEERS:
         return explored_by(name, environment, marks, rng, tau=problem.tau, sigma=problem.sigma)
     explorer = Explorer(

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from divbandit.plot import style
+from divbandit.studies.benchmark.table import summary
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from divbandit.studies.benchmark.benchmark import Row
     from divbandit.studies.benchmark.problems import Problem
+    from divbandit.studies.benchmark.table import Row
 
 
 def figure_of(problem: Problem, rows: dict[str, list[Row]]) -> Figure:
@@ -22,10 +21,7 @@ def figure_of(problem: Problem, rows: dict[str, list[Row]]) -> Figure:
     figure, axes = plt.subplots(1, 3, figsize=(style.PAGE, 2.5))
     for index, (name, mine) in enumerate(rows.items()):
         colour, pattern = style.line_of(index)
-        marks = sorted({row.evaluations for row in mine})
-        each = [np.array([row[-3:] for row in mine if row.evaluations == mark]) for mark in marks]
-        means = np.array([values.mean(axis=0) for values in each]) * [1, 1, 100]
-        deviations = np.array([values.std(axis=0) for values in each]) * [1, 1, 100]
+        marks, means, deviations = summary(mine)
         look = {"color": colour, "linewidth": 1.8 if index == 0 else 0.9}
         for ax, column in zip(axes[:2], (1, 2), strict=True):
             mean, deviation = means[:, column], deviations[:, column]

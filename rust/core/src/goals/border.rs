@@ -1,7 +1,7 @@
 //! Border: goals just beyond the effects around which something is uncovered.
 //!
-//! Effects take turns, the newest first. One around which nothing uncovered is found lies inside of
-//! what is covered, which only grows: its turn does not come again.
+//! Effects take turns, the newest first. One around which nothing uncovered is found is taken to lie
+//! inside of what is covered, which only grows: its turn does not come again.
 
 use std::collections::VecDeque;
 
@@ -16,7 +16,7 @@ const DIRECTIONS: usize = 8;
 /// Upper limit on the effects tried for a goal.
 const EFFECTS: usize = 20;
 
-/// How far beyond what an effect covers it is looked for what is uncovered, in tau.
+/// How far from an effect a point must be uncovered, in tau: just beyond what the effect covers.
 const BEYOND: f64 = 1.02;
 
 /// The effects whose turn may come.

@@ -52,7 +52,7 @@ impl Covered {
     pub fn update(&mut self, goals: &Bounds, effects: &NearestNeighbors) {
         let holds = |frame: &Bounds| frame.holds(goals.low()) && frame.holds(goals.high());
         if !self.frame.as_ref().is_some_and(holds) {
-            // One that has grown will grow further: with room for that, few are cut anew.
+            // One that has grown will grow further: with room for that, it is seldom cut again.
             let frame = if self.frame.is_none() { goals.clone() } else { doubled(goals) };
             self.raster = Raster::new(&frame, self.tau);
             self.frame = Some(frame);

@@ -3,27 +3,16 @@
 use super::GoalSampler;
 use super::area::Area;
 use crate::bounds::{Bounds, UniformStream};
-use crate::error::{Error, check_count};
+use crate::error::Error;
 use crate::history::History;
-
-/// Upper limit on the number of cells, which are stored one by one.
-const MOST_CELLS: usize = 10_000_000;
-
-/// How many cells a grid has along each coordinate.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Cells {
-    /// The same number along all.
-    Alike(usize),
-    /// One number for each.
-    Each(Vec<usize>),
-}
+use crate::shape::Shape;
 
 /// Goals uniform in the cells of a grid: each cell once, in random order, then each again.
 ///
 /// Draws: the cell, then one a coordinate.
 #[derive(Debug, Clone)]
 pub struct Grid {
-    cells: Cells,
+    cells: Shape,
     area: Area,
     /// The shape of the grid, and its cells that are still to come in this round.
     shape: Vec<usize>,
@@ -36,44 +25,12 @@ impl Grid {
     /// # Errors
     /// If a number of cells is 0, there are none or more than ten million, or they are not of the
     /// dimension of the box.
-    pub fn new(cells: Cells, goals_box: Option<Bounds>) -> Result<Self, Error> {
-        match &cells {
-            Cells::Alike(count) => check_count("cells", *count)?,
-            Cells::Each(counts) if counts.is_empty() => return Err(Error::Empty { name: "cells" }),
-            Cells::Each(counts) => {
-                counts.iter().try_for_each(|&count| check_count("cells", count))?;
-            }
-        }
+    pub fn new(cells: Shape, goals_box: Option<Bounds>) -> Result<Self, Error> {
+        cells.check_counts()?;
         if let Some(goals) = &goals_box {
             cells.check(goals.dim())?;
         }
         Ok(Self { cells, area: Area::new(goals_box), shape: Vec::new(), left: Vec::new() })
-    }
-}
-
-impl Cells {
-    /// How many there are along each of `dim` coordinates.
-    pub(crate) fn along(&self, dim: usize) -> impl Iterator<Item = usize> {
-        let (alike, each) = match self {
-            Cells::Alike(count) => (Some(*count), &[][..]),
-            Cells::Each(counts) => (None, &counts[..]),
-        };
-        alike.into_iter().cycle().take(dim).chain(each.iter().copied())
-    }
-
-    /// Checks that they fit `dim` coordinates, and are not too many; returns how many they are.
-    pub(crate) fn check(&self, dim: usize) -> Result<usize, Error> {
-        if let Cells::Each(counts) = self
-            && counts.len() != dim
-        {
-            return Err(Error::Length { name: "cells", must_be: dim, got: counts.len() });
-        }
-        let total = self.along(dim).fold(1, usize::saturating_mul);
-        if total > MOST_CELLS {
-            let must_be = format!("at most {MOST_CELLS} altogether");
-            return Err(Error::Count { name: "cells", must_be, got: total });
-        }
-        Ok(total)
     }
 }
 
@@ -105,7 +62,7 @@ impl GoalSampler for Grid {
             self.left.clear();
             self.left.extend(0..total as u32);
         }
-        let place = (draws.next() * self.left.len() as f64) as usize;
+        let place = draws.below(self.left.len());
         let mut cell = self.left.swap_remove(place) as usize;
         goal.resize(goals.dim(), 0.0);
         draws.fill(goal);

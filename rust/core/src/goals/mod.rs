@@ -23,7 +23,7 @@ use std::fmt;
 
 pub use area::Area;
 pub use frontier::Frontier;
-pub use grid::{Cells, Grid};
+pub use grid::Grid;
 pub use novel::Novel;
 pub use uncovered::Uncovered;
 pub use uniform::Uniform;

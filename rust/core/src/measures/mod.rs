@@ -2,8 +2,8 @@
 //!
 //! A [`MeasureKind`] says which, and [`start`](MeasureKind::start) makes an empty [`Measure`] of
 //! it for effects of some dimension: the volume of balls around the effects (`balls`), the number
-//! of cells that they occupy (`grid`), their share (`share`), how evenly they fill these (`entropy`), or how far each is
-//! from those before it (`sparseness`).
+//! of cells that they occupy (`grid`), the share of a box's cells (`share`), how evenly they fill
+//! cells (`entropy`), or how far each is from those before it (`sparseness`).
 //!
 //! ```
 //! use divbandit_core::measures::{MeasureKind, PerCoordinate};
@@ -29,7 +29,7 @@ use std::fmt::Debug;
 
 use crate::bounds::Bounds;
 use crate::error::Error;
-use crate::goals;
+use crate::shape::Shape;
 use balls::Balls;
 pub use balls::KEY;
 pub use cells::PerCoordinate;
@@ -94,9 +94,9 @@ pub enum MeasureKind {
         origin: PerCoordinate,
     },
     /// The share of the cells of a box that effects lie in.
-    Cells {
+    Share {
         /// How many there are along each coordinate.
-        cells: goals::Cells,
+        cells: Shape,
         /// What is cut into cells.
         space: Bounds,
     },
@@ -123,7 +123,7 @@ impl MeasureKind {
         Ok(match self {
             Self::Balls { tau, accuracy } => Box::new(Balls::new(*tau, *accuracy, dim)?),
             Self::Grid { cell, origin } => Box::new(Grid::new(cell, origin, dim)?),
-            Self::Cells { cells, space } => Box::new(Share::new(cells, space, dim)?),
+            Self::Share { cells, space } => Box::new(Share::new(cells, space, dim)?),
             Self::Sparseness { k } => Box::new(Sparseness::new(*k, dim)?),
             Self::Entropy { cell, origin } => Box::new(Entropy::new(cell, origin, dim)?),
         })

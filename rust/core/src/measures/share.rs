@@ -7,7 +7,7 @@
 use super::Measure;
 use crate::bounds::Bounds;
 use crate::error::{Error, check_length};
-use crate::goals::Cells;
+use crate::shape::Shape;
 
 /// The cells in which effects lie.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub(super) struct Share {
 }
 
 impl Share {
-    pub fn new(cells: &Cells, space: &Bounds, dim: usize) -> Result<Self, Error> {
+    pub fn new(cells: &Shape, space: &Bounds, dim: usize) -> Result<Self, Error> {
         check_length("box", space.low(), dim)?;
         let total = cells.check(dim)?;
         let shape = cells.along(dim).collect();
@@ -70,12 +70,12 @@ impl Measure for Share {
     }
 
     fn add(&mut self, effect: &[f64]) -> f64 {
-        let (gain, place) = (self.gain(effect), self.place(effect));
         self.len += 1;
-        if gain > 0.0 {
-            self.occupied[place] = true;
-            self.count += 1;
+        let place = self.place(effect);
+        if std::mem::replace(&mut self.occupied[place], true) {
+            return 0.0;
         }
-        gain
+        self.count += 1;
+        self.one()
     }
 }

@@ -34,8 +34,8 @@ use crate::instructions::{Dispatch, Instructions};
 /// Directions of each set that a gain begins with: 1024 rays in all.
 const FEWEST: usize = LANES;
 
-/// From this accuracy on, a few of the sets do: 256 rays, of which a gain is right to 0.03 of a ball
-/// at worst. It is what a bandit needs, which averages many gains.
+/// From this accuracy on, a gain is sampled with a few of the sets: 256 rays at first, of which
+/// independent ones would have an error of 0.03 of a ball at most. A bandit averages many gains.
 const COARSE: f64 = 0.05;
 
 /// How many they are; of fewer, an error would not tell much.

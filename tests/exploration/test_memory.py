@@ -19,7 +19,9 @@ ADAPT = "db.Adapt([db.MotorBabbling(), db.GoalBabbling(0.05)], tau={tau!r})"
 BABBLING = "db.MotorBabbling()"
 
 # A short exploration comes first and loads what any needs. VmHWM is the most that the process has
-# held since it began; getrusage's ru_maxrss would begin at what its parent held.
+# held; it is set back to what it holds, as imports have held a megabyte more for a while, in which
+# an exploration's first bytes would not show. getrusage's ru_maxrss would begin at what its parent
+# held.
 SCRIPT = """
 import re
 from pathlib import Path
@@ -31,6 +33,7 @@ def peak():
 arm = db.PlanarArm({joints})
 strategy = {strategy}
 db.explore(arm, strategy, 10, rng=0, engine="rust", keep_commands={keep})
+Path("/proc/self/clear_refs").write_text("5")
 before = peak()
 run = db.explore(arm, strategy, {n}, rng=1, engine="rust", keep_commands={keep})
 print((peak() - before) / len(run))
